@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "engine/command/commands.hpp"
+#include "engine/command/scene_options.hpp"
+#include "engine/output/probes.hpp"
+#include "engine/output/report.hpp"
+#include "engine/output/summary.hpp"
+
+namespace sluice {
+namespace {
+
+std::string row(std::string_view name, const std::string& value) { return fmt::format("{:<22}{}\n", name, value); }
+
+std::size_t particles_of(const Array<std::uint16_t>& body, std::size_t owned, std::size_t wanted) {
+    return static_cast<std::size_t>(
+        std::count(body.begin(), body.begin() + static_cast<std::ptrdiff_t>(owned), wanted));
+}
+
+template <int Dim>
+std::string particle_table(const Simulation<Dim>& simulation) {
+    const Scene& scene = simulation.scene();
+    const auto& fluid = simulation.fluid();
+    const auto& solid = simulation.solid();
+    const auto& wall = simulation.wall();
+    std::string text = fmt::format("{:<22}{:<8}{:>10}{:>16}\n", "body", "medium", "particles", "spacing");
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const Body& body = scene.bodies[b];
+        const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
+        const std::size_t count =
+            is_fluid ? particles_of(fluid.body, fluid.owned, b) : particles_of(solid.body, solid.owned, b);
+        text +=
+            fmt::format("{:<22}{:<8}{:>10}{:>14.4g} m\n", body.name, is_fluid ? "fluid" : "solid", count, body.spacing);
+    }
+    for (std::size_t w = 0; w < scene.walls.size(); ++w)
+        if (scene.walls[w].kind == WallKind::fixed)
+            text += fmt::format("{:<22}{:<8}{:>10}{:>14.4g} m\n", scene.walls[w].name, "wall",
+                                particles_of(wall.body, wall.owned, w), scene.walls[w].spacing);
+    return text;
+}
+
+/// The time step, and what each medium would allow.
+template <int Dim>
+std::string step_table(const Simulation<Dim>& simulation) {
+    const double dt = simulation.time_step();
+    const double steps = std::round(simulation.scene().output.end / dt);  // a run ends at the step nearest to its end
+    std::string text = row(
+        "time step", fmt::format("{:.6g} s{}", dt, simulation.scene().method.time_step ? ", as the scene states" : ""));
+    const auto& limits = simulation.courant_limits();
+    const auto limiting =
+        std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.dt < b.dt; });
+    for (auto limit = limits.begin(); limit != limits.end(); ++limit)
+        text += row("  limit of " + limit->medium,
+                    fmt::format("{:.6g} s{}", limit->dt, limit == limiting ? ", the smallest" : ""));
+    text += row("expected steps", fmt::format("{:.0f} to {:.6g} s", steps, simulation.scene().output.end));
+    return text;
+}
+
+std::string effect_table(const Effects& effects) {
+    std::size_t name = 0, equation = 0;
+    for (const EffectChoice& choice : effects.all()) {
+        name = std::max(name, choice.info.name.size());
+        equation = std::max(equation, choice.info.equation.size());
+    }
+    std::string text = fmt::format("{:<{}}       {:<{}}  {}\n", "effect", name, "equation", equation, "why");
+    for (const EffectChoice& choice : effects.all())
+        text += fmt::format("{:<{}}  {:<3}  {:<{}}  {}\n", choice.info.name, name, choice.on ? "on" : "off",
+                            choice.info.equation, equation, choice.why);
+    return text;
+}
+
+template <int Dim>
+ExitCode check_scene(const Scene& scene) {
+    const Simulation<Dim> simulation(scene);
+    const Probes<Dim> probes(simulation);
+    std::string text = fmt::format("{}: {}\n\n", scene.file, scene.title);
+    text += particle_table(simulation) + "\n" + step_table(simulation);
+    text += row("memory", memory_text(static_cast<double>(simulation.memory_bytes())));
+    text += row("precision", scene.method.precision);
+    text += row("scene hash", text_hash(scene.source));
+    const std::vector<std::string> columns = probes.columns();
+    text += row("probe columns", columns.empty() ? "none" : fmt::format("{}", fmt::join(columns, ", ")));
+    print(text + "\n" + effect_table(simulation.effects()));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, Deed& chosen) {
+    CLI::App& command = *program.add_subcommand("check", "Check a scene and say what a run would do");
+    const auto options = std::make_shared<SceneOptions>();
+    options->add_to(command);
+    command.callback([options, &chosen] {
+        chosen = [options] {
+            const Scene scene = load_scene(options->file, options->overrides);
+            return scene.dimension == 2 ? check_scene<2>(scene) : check_scene<3>(scene);
+        };
+    });
+}
+
+}  // namespace sluice

@@ -1,0 +1,42 @@
+// The command `sluice`.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <string>
+
+#include "engine/command/commands.hpp"
+#include "engine/output/version.hpp"
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  sluice check validation/elastic_gate/scene.toml
+  sluice run validation/elastic_gate/scene.toml
+  sluice run dam.toml -o results/fine --set method.spacing=0.001 --threads 2
+  sluice run dam.toml --until 0.1
+
+A run writes into its folder: scene.toml (what was run), probes.csv, summary.json, and frames/, of which
+ParaView opens frames.hdf.series.
+
+Exit codes: 0 done, 1 numerical failure, 2 bad input, 3 output failed, 130 interrupted.)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // A file beyond the shell's size limit is then an ordinary write error with a message, not a silent death.
+    std::signal(SIGXFSZ, SIG_IGN);
+    CLI::App program("Water against elastic structures by smoothed particle hydrodynamics.", "sluice");
+    program.set_version_flag("--version", std::string("sluice ") + std::string(sluice::program_version()));
+    program.require_subcommand(1);
+    program.footer(examples);
+    sluice::Deed chosen;
+    sluice::add_run_command(program, chosen);
+    sluice::add_check_command(program, chosen);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
+        sluice::print_error(std::string(error.what()) + "\n`sluice --help` shows how it is used");
+        return static_cast<int>(sluice::ExitCode::bad_input);
+    }
+    return static_cast<int>(sluice::guarded(chosen));
+}

@@ -1,0 +1,20 @@
+// What can go wrong after a scene has been accepted. (What is wrong with a scene itself is a SceneError.)
+#pragma once
+
+#include <stdexcept>
+
+namespace sluice {
+
+/// The computed state has become meaningless: not finite, or beyond what the method can represent.
+class NumericalError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A result could not be written. The text names the path and what the system answered.
+class OutputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace sluice

@@ -1,0 +1,27 @@
+// Fills a shape with particles on a lattice.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/geometry/shape.hpp"
+
+namespace sluice {
+
+/// Lattice particles of one region.
+struct Packing {
+    std::vector<Point> position;                     ///< [m]
+    std::vector<std::array<std::int32_t, 3>> site;   ///< lattice coordinates (z = 0 in 2D), ascending in z, y, x
+    Point spacing{};                                 ///< lattice distance along each axis [m] (z = 1 in 2D)
+    double volume = 0;                               ///< of one particle: the product of the spacings [m³, m² in 2D]
+};
+
+/// The bounding box is divided into a whole number of sites along each axis, as near to `spacing` as can be, so that
+/// a box is filled exactly; a site belongs to the packing if its centre lies in the shape.
+Packing pack(const Shape& shape, double spacing, int dimension);
+
+/// How many sites `pack` would look at; as a real number, since a mistyped spacing can exceed any integer.
+double count_sites(const Shape& shape, double spacing, int dimension);
+
+}  // namespace sluice

@@ -1,0 +1,105 @@
+#include "engine/output/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "engine/errors.hpp"
+
+namespace sluice {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view deed, int error) {
+    throw OutputError(fmt::format("{}: cannot {}: {}", path.string(), deed, std::generic_category().message(error)));
+}
+
+/// A descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int file) : file_(file) {}
+    ~Descriptor() {
+        if (file_ >= 0) ::close(file_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return file_; }
+    /// The answer of close(2): network file systems report a full disk only there.
+    int close() { return ::close(std::exchange(file_, -1)); }
+
+  private:
+    int file_;
+};
+
+/// 0, or the error.
+int write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(file, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return errno;
+        if (n == 0) return ENOSPC;
+        bytes.remove_prefix(static_cast<std::size_t>(n));
+    }
+    return 0;
+}
+
+/// Writes a file and waits until the disk has it. 0, or the error.
+int write_and_sync(const std::filesystem::path& path, std::string_view bytes) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file.get() < 0) return errno;
+    if (const int error = write_all(file.get(), bytes)) return error;
+    // EINVAL: a file system that cannot sync; the bytes are handed over all the same.
+    if (::fsync(file.get()) != 0 && errno != EINVAL) return errno;
+    return file.close() == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) fail(folder, "create the folder", error.value());
+    if (!std::filesystem::is_directory(folder)) fail(folder, "create the folder", ENOTDIR);
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
+    std::filesystem::path part = path;
+    part += ".part";
+    if (const int error = write_and_sync(part, bytes)) {
+        ::unlink(part.c_str());
+        fail(path, "write", error);
+    }
+    if (::rename(part.c_str(), path.c_str()) != 0) {
+        const int error = errno;
+        ::unlink(part.c_str());
+        fail(path, "rename the finished file", error);
+    }
+}
+
+LineFile::LineFile(std::filesystem::path path) : path_(std::move(path)) {
+    file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+    if (file_ < 0) fail(path_, "create", errno);
+}
+
+LineFile::~LineFile() { ::close(file_); }
+
+void LineFile::append(std::string line) {
+    line += '\n';
+    ssize_t n = -1;
+    do {
+        n = ::write(file_, line.data(), line.size());
+    } while (n < 0 && errno == EINTR);
+    if (n == static_cast<ssize_t>(line.size())) {
+        size_ += n;
+        return;
+    }
+    const int error = n < 0 ? errno : ENOSPC;
+    // The line counts only as a whole. A device that cannot be cut has nothing to take back.
+    [[maybe_unused]] const int cut = ::ftruncate(file_, size_);
+    fail(path_, "write", error);
+}
+
+}  // namespace sluice

@@ -1,0 +1,35 @@
+// Files that are either wholly there or not at all, and lines that are never torn.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace sluice {
+
+/// Creates a folder and those above it. Throws OutputError.
+void make_folder(const std::filesystem::path& folder);
+
+/// Writes PATH.part, makes the disk take it, and renames it to PATH: a reader sees the old text or the new one, and a
+/// full disk or a crash leaves the old one. Throws OutputError.
+void write_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// A text file that grows by whole lines. Each line is one write(2); a line that does not fit is taken back.
+class LineFile {
+  public:
+    /// Starts an empty file. Throws OutputError.
+    explicit LineFile(std::filesystem::path path);
+    ~LineFile();
+    LineFile(const LineFile&) = delete;
+    LineFile& operator=(const LineFile&) = delete;
+
+    /// Adds a line; the end of line is added here. Throws OutputError.
+    void append(std::string line);
+
+  private:
+    std::filesystem::path path_;
+    int file_ = -1;
+    long long size_ = 0;  ///< of the whole lines [bytes]
+};
+
+}  // namespace sluice

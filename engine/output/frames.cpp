@@ -1,0 +1,114 @@
+#include "engine/output/frames.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <system_error>
+
+#include "engine/errors.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/hdf5_file.hpp"
+#include "engine/output/version.hpp"
+
+namespace sluice {
+namespace {
+
+/// VTK_VERTEX: each particle is a cell of one point.
+constexpr std::uint8_t vertex_cell = 1;
+constexpr std::string_view series_name = "frames.hdf.series";
+
+template <class T>
+std::span<const T> view(const std::vector<T>& values) {
+    return values;
+}
+
+void write_counts_and_cells(const Hdf5Group& vtk, std::size_t particles) {
+    const auto n = static_cast<std::int64_t>(particles);
+    const std::array<std::int64_t, 1> count{n};
+    for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+        vtk.dataset<std::int64_t>(name, count);
+    std::vector<std::int64_t> offsets(particles + 1);
+    std::iota(offsets.begin(), offsets.end(), std::int64_t{0});
+    vtk.dataset<std::int64_t>("Connectivity", view(offsets).first(particles));
+    vtk.dataset<std::int64_t>("Offsets", offsets);
+    vtk.dataset<std::uint8_t>("Types", std::vector<std::uint8_t>(particles, vertex_cell));
+}
+
+void write_point_data(const Hdf5Group& data, const FrameTable& table) {
+    data.dataset<float>("velocity", table.velocity, 3);
+    for (const FrameScalar& scalar : table.scalars) data.dataset<float>(scalar.name, scalar.value);
+    data.dataset<std::uint8_t>("phase", table.medium);
+    data.dataset<std::uint16_t>("body", table.body);
+    data.dataset<std::uint32_t>("id", table.id);
+}
+
+void write_label(const Hdf5Group& group, const FrameLabel& label) {
+    group.attribute("time", label.time);
+    group.attribute("step", label.step);
+    group.attribute("title", label.title);
+    group.attribute("version", program_version());
+}
+
+/// frame_0000.hdf and its unfinished twin frame_0000.hdf.part
+bool is_frame(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with("frame_") && (name.ends_with(".hdf") || name.ends_with(".hdf.part"));
+}
+
+void remove_old_frames(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::vector<std::filesystem::path> old;
+    for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error))
+        if (is_frame(file->path()) || file->path().filename() == series_name) old.push_back(file->path());
+    for (const auto& file : old)
+        if (!error) std::filesystem::remove(file, error);
+    if (error) throw OutputError(fmt::format("{}: cannot remove old frames: {}", folder.string(), error.message()));
+}
+
+}  // namespace
+
+void write_frame(const std::filesystem::path& file, const FrameTable& table, const FrameLabel& label) {
+    Hdf5File hdf;
+    {
+        const Hdf5Group root = hdf.root();
+        const Hdf5Group vtk = root.group("VTKHDF");
+        constexpr std::array<std::int64_t, 2> layout_version{1, 0};
+        vtk.attribute<std::int64_t>("Version", layout_version);
+        vtk.attribute("Type", "UnstructuredGrid");
+        write_counts_and_cells(vtk, table.particles);
+        vtk.dataset<float>("Points", table.points, 3);
+        write_point_data(vtk.group("PointData"), table);
+        write_label(root.group("sluice"), label);
+    }
+    write_atomically(file, hdf.bytes());
+}
+
+template <int Dim>
+FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory) : folder_(directory / "frames") {
+    make_folder(folder_);
+    remove_old_frames(folder_);
+}
+
+template <int Dim>
+void FrameWriter<Dim>::write(const Simulation<Dim>& simulation) {
+    const Frame frame{fmt::format("frame_{:04}.hdf", frames_.size()), simulation.time()};
+    write_frame(folder_ / frame.name, frame_table(simulation.fluid(), simulation.solid(), simulation.wall()),
+                {frame.time, simulation.work().steps, simulation.scene().title});
+    frames_.push_back(frame);
+    write_series();
+}
+
+template <int Dim>
+void FrameWriter<Dim>::write_series() const {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const Frame& frame : frames_) files.push_back({{"name", frame.name}, {"time", frame.time}});
+    const nlohmann::ordered_json series{{"file-series-version", "1.0"}, {"files", files}};
+    write_atomically(folder_ / series_name, series.dump(1) + "\n");
+}
+
+template class FrameWriter<2>;
+template class FrameWriter<3>;
+
+}  // namespace sluice

@@ -1,0 +1,51 @@
+// Frames: one VTKHDF file per output time, and a series file that ParaView opens as an animation.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/output/frame_table.hpp"
+#include "engine/simulation.hpp"
+
+namespace sluice {
+
+/// What a frame says about itself, in the group `sluice`.
+struct FrameLabel {
+    double time = 0;  ///< [s]
+    std::uint64_t step = 0;
+    std::string_view title;
+};
+
+/// Writes one frame, wholly or not at all. Throws OutputError.
+void write_frame(const std::filesystem::path& file, const FrameTable& table, const FrameLabel& label);
+
+/// Writes DIRECTORY/frames/frame_0000.hdf, frame_0001.hdf … and frames.hdf.series beside them.
+template <int Dim>
+class FrameWriter {
+  public:
+    /// Makes the folder and removes the frames of an earlier run, which would mix with ours. Throws OutputError.
+    explicit FrameWriter(const std::filesystem::path& directory);
+
+    /// Throws OutputError.
+    void write(const Simulation<Dim>& simulation);
+
+    std::size_t count() const { return frames_.size(); }
+
+  private:
+    struct Frame {
+        std::string name;
+        double time;
+    };
+    void write_series() const;
+
+    std::filesystem::path folder_;
+    std::vector<Frame> frames_;
+};
+
+extern template class FrameWriter<2>;
+extern template class FrameWriter<3>;
+
+}  // namespace sluice

@@ -1,0 +1,87 @@
+// HDF5 files, built in memory through the C API: the disk is touched in one place only (atomic_file), where a full disk
+// is an ordinary error. (The library itself does not survive one: it tries to flush again when the program ends.)
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace sluice {
+
+/// An HDF5 identifier that closes itself.
+class Hdf5Handle {
+  public:
+    using Close = herr_t (*)(hid_t);
+    /// `id` as the library returned it. Throws OutputError if that was an error; `what` was being done.
+    Hdf5Handle(hid_t id, Close close, std::string_view what);
+    ~Hdf5Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+    Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Hdf5Handle& operator=(Hdf5Handle&&) = delete;
+    hid_t get() const { return id_; }
+
+  private:
+    hid_t id_;
+    Close close_;
+};
+
+/// The library's name for a C++ number type.
+template <class T>
+hid_t hdf5_type();
+
+/// A group: takes attributes, datasets and further groups.
+class Hdf5Group {
+  public:
+    explicit Hdf5Group(Hdf5Handle handle) : handle_(std::move(handle)) {}
+
+    Hdf5Group group(const std::string& name) const;
+
+    /// A table of `values.size() / columns` rows; one column makes a one-dimensional dataset.
+    template <class T>
+    void dataset(const std::string& name, std::span<const T> values, std::size_t columns = 1) const {
+        write_dataset(name, {hdf5_type<T>(), values.data(), values.size()}, columns);
+    }
+    /// A string of fixed length, ASCII if it can be: the only kind that VTK accepts.
+    void attribute(const std::string& name, std::string_view text) const;
+    /// A list of numbers.
+    template <class T>
+    void attribute(const std::string& name, std::span<const T> values) const {
+        write_attribute(name, {hdf5_type<T>(), values.data(), values.size()});
+    }
+    /// One number.
+    template <class T>
+    requires(!std::is_convertible_v<T, std::string_view>) void attribute(const std::string& name, T value) const {
+        write_attribute(name, {hdf5_type<T>(), &value, 0});
+    }
+
+  private:
+    struct Values {
+        hid_t type;
+        const void* data;
+        std::size_t count;  ///< 0: one number without a dimension
+    };
+    void write_dataset(const std::string& name, Values values, std::size_t columns) const;
+    void write_attribute(const std::string& name, Values values) const;
+
+    Hdf5Handle handle_;
+};
+
+/// A file under construction. Equal content gives equal bytes: no times are stored.
+class Hdf5File {
+  public:
+    Hdf5File();
+    Hdf5Group root() const;
+    /// The file's content so far; groups should be closed by then.
+    std::string bytes() const;
+
+  private:
+    Hdf5Handle file_;
+};
+
+}  // namespace sluice

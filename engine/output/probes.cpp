@@ -1,0 +1,72 @@
+#include "engine/output/probes.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace sluice {
+namespace {
+
+template <int Dim>
+ProbeSamplerPtr<Dim> make_sampler(const Probe& probe, const Simulation<Dim>& initial) {
+    switch (probe.kind) {
+        case ProbeKind::displacement:
+            return make_displacement_probe<Dim>(probe, initial);
+        case ProbeKind::pressure:
+            return make_pressure_probe<Dim>(probe, initial);
+        case ProbeKind::water_level:
+            return make_level_probe<Dim>(probe, initial);
+        case ProbeKind::energy:
+            return make_energy_probe<Dim>(probe);
+        case ProbeKind::momentum:
+            return make_momentum_probe<Dim>(probe);
+        case ProbeKind::force:
+            return make_force_probe<Dim>(probe);
+    }
+    throw std::logic_error("probe '" + probe.name + "': unknown kind");
+}
+
+}  // namespace
+
+template <int Dim>
+Probes<Dim>::Probes(const Simulation<Dim>& initial) {
+    for (const Probe& probe : initial.scene().probes) samplers_.push_back(make_sampler<Dim>(probe, initial));
+}
+
+template <int Dim>
+std::vector<std::string> Probes<Dim>::columns() const {
+    std::vector<std::string> all;
+    for (const auto& sampler : samplers_)
+        for (std::string& column : sampler->columns()) all.push_back(std::move(column));
+    return all;
+}
+
+template <int Dim>
+std::vector<double> Probes<Dim>::sample(const Simulation<Dim>& simulation) const {
+    std::vector<double> values;
+    for (const auto& sampler : samplers_) sampler->sample(simulation, values);
+    return values;
+}
+
+template <int Dim>
+ProbeWriter<Dim>::ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes)
+    : probes_(std::move(probes)), file_(directory / "probes.csv") {
+    std::string heading = "t [s]";
+    for (const std::string& column : columns()) heading += "," + column;  // names hold neither commas nor quotes
+    file_.append(std::move(heading));
+}
+
+template <int Dim>
+void ProbeWriter<Dim>::write(const Simulation<Dim>& simulation) {
+    std::string row = fmt::format("{}", simulation.time());
+    for (const double value : sample(simulation)) row += fmt::format(",{}", value);
+    file_.append(std::move(row));
+}
+
+template class Probes<2>;
+template class Probes<3>;
+template class ProbeWriter<2>;
+template class ProbeWriter<3>;
+
+}  // namespace sluice

@@ -1,0 +1,52 @@
+// Probes: the scene's measurements over time, as one table DIRECTORY/probes.csv.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/probe_sampler.hpp"
+
+namespace sluice {
+
+/// The scene's probes, bound to the particles of the initial configuration.
+template <int Dim>
+class Probes {
+  public:
+    /// Throws SceneError for a probe that has nothing to measure.
+    explicit Probes(const Simulation<Dim>& initial);
+
+    /// Names with units; time is not among them.
+    std::vector<std::string> columns() const;
+    /// The present values, one per column.
+    std::vector<double> sample(const Simulation<Dim>& simulation) const;
+
+  private:
+    std::vector<ProbeSamplerPtr<Dim>> samplers_;
+};
+
+/// Writes DIRECTORY/probes.csv: a heading, then a row per output time; each row is on disk when `write` returns.
+/// Numbers are the shortest that read back as the same double.
+template <int Dim>
+class ProbeWriter {
+  public:
+    /// Throws OutputError.
+    ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes);
+
+    std::vector<std::string> columns() const { return probes_.columns(); }
+    std::vector<double> sample(const Simulation<Dim>& simulation) const { return probes_.sample(simulation); }
+    /// Throws OutputError.
+    void write(const Simulation<Dim>& simulation);
+
+  private:
+    Probes<Dim> probes_;
+    LineFile file_;
+};
+
+extern template class Probes<2>;
+extern template class Probes<3>;
+extern template class ProbeWriter<2>;
+extern template class ProbeWriter<3>;
+
+}  // namespace sluice

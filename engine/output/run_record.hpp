@@ -1,0 +1,43 @@
+// How a run is going, apart from its physics: state, time spent, threads.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/simulation.hpp"
+
+namespace sluice {
+
+enum class RunState { running, done, interrupted, failed };
+/// As summary.json has it.
+std::string_view name_of(RunState state);
+
+/// CPU time of this process so far, all threads [s].
+double process_cpu_seconds();
+/// The most memory that this process has held so far.
+std::size_t peak_memory_bytes();
+
+struct RunRecord {
+    RunState state = RunState::running;
+    std::string message;  ///< why it failed
+    double end_time = 0;  ///< simulated time to run to [s]
+    int threads = 1;
+    double wall_seconds = 0;    ///< since the start, placing of particles and output included
+    double cpu_seconds = 0;     ///< likewise, all threads
+    double setup_seconds = 0;   ///< wall time of placing particles and opening files
+    double step_seconds = 0;    ///< wall time in time steps alone; rates refer to it
+    double output_seconds = 0;  ///< wall time in frames, probes and summaries
+    EnergyBalance initial_energy;
+    std::vector<std::string> probe_columns;
+    std::vector<double> probe_values;  ///< latest
+
+    /// `count` per second of stepping; 0 before the first step.
+    double rate(double count) const { return step_seconds > 0 ? count / step_seconds : 0.0; }
+};
+
+/// Seconds in each phase of a step, and in output, named by step_phase_names: what summary and report show.
+std::vector<double> seconds_per_phase(const PhaseTimer& timer, const RunRecord& record);
+
+}  // namespace sluice

@@ -1,0 +1,206 @@
+#include "engine/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "engine/errors.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/frames.hpp"
+#include "engine/output/probes.hpp"
+#include "engine/output/progress.hpp"
+#include "engine/output/report.hpp"
+#include "engine/output/schedule.hpp"
+#include "engine/output/summary.hpp"
+#include "engine/state_check.hpp"
+#include "engine/stop_request.hpp"
+
+namespace sluice {
+namespace {
+
+/// Steps between two looks at the state of each particle: seldom enough to be free, often enough to lose little.
+constexpr std::uint64_t steps_per_check = 50;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Adds its lifetime to a sum.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum) : sum_(sum), start_(Clock::now()) {}
+    ~Stopwatch() { sum_ += seconds_since(start_); }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    double& sum_;
+    Clock::time_point start_;
+};
+
+/// The canonical scene is written beside the results; that must not replace the file which it came from.
+void refuse_to_overwrite(const Scene& scene, const std::filesystem::path& directory) {
+    std::error_code error;
+    if (std::filesystem::equivalent(scene.file, directory / "scene.toml", error))
+        throw SceneError(
+            fmt::format("{}: the results cannot go into the scene's own folder '{}', where scene.toml would "
+                        "be replaced; choose another folder with -o",
+                        scene.file, directory.string()));
+}
+
+template <int Dim>
+class Run {
+  public:
+    Run(const Scene& scene, const RunOptions& options)
+        : directory_(options.directory),
+          start_(Clock::now()),
+          cpu_start_(process_cpu_seconds()),
+          simulation_(scene),
+          frame_times_(scene.output.frame_interval),
+          probe_times_(scene.output.probe_interval) {
+        record_.end_time = options.until.value_or(scene.output.end);
+        record_.threads = omp_get_max_threads();
+        record_.initial_energy = simulation_.energy();
+        open_files(Probes<Dim>(simulation_));
+        record_.setup_seconds = seconds_since(start_);
+    }
+
+    RunStatus execute() {
+        try {
+            advance();
+            finish();
+        } catch (const NumericalError& failure) {
+            fail(failure.what());
+        } catch (const OutputError& failure) {
+            record_failed_output(failure);
+            throw;
+        }
+        return {record_.state, record_.message, report_text(simulation_, record_)};
+    }
+
+  private:
+    /// The probes come first: one that has nothing to measure is refused before a folder is made.
+    void open_files(Probes<Dim> probes) {
+        make_folder(directory_);
+        write_atomically(directory_ / "scene.toml", simulation_.scene().source);
+        record_.probe_columns = probes.columns();
+        probes_.emplace(directory_, std::move(probes));
+        if (simulation_.scene().output.frame_interval > 0) frames_.emplace(directory_);
+        update_summary();
+    }
+
+    bool at_end() const { return simulation_.time() >= record_.end_time - simulation_.time_step() / 2; }
+
+    void advance() {
+        const StopRequest stop;
+        check_state(simulation_);
+        write_due();
+        while (!at_end() && !stop.received()) {
+            {
+                const Stopwatch watch(record_.step_seconds);
+                simulation_.step();
+            }
+            if (simulation_.work().steps % steps_per_check == 0) check_state(simulation_);
+            write_due();
+            progress_.update(progress_state());
+        }
+        record_.state = at_end() ? RunState::done : RunState::interrupted;
+    }
+
+    /// The last state is always written, due or not.
+    void finish() {
+        check_state(simulation_);
+        {
+            const Stopwatch watch(record_.output_seconds);
+            if (probe_written_ != simulation_.time()) write_probes();
+            if (frames_ && frame_written_ != simulation_.time()) write_frame();
+        }
+        update_summary();
+        progress_.finish(progress_state());
+    }
+
+    void write_due() {
+        const double time = simulation_.time(), dt = simulation_.time_step();
+        const bool probes = probe_times_.ask(time, dt) == Schedule::Answer::due || time == 0;
+        const bool frame = frame_times_.ask(time, dt) == Schedule::Answer::due;
+        if (!probes && !frame) return;
+        {
+            const Stopwatch watch(record_.output_seconds);
+            check_state(simulation_);
+            if (probes) write_probes();
+            if (frame) write_frame();
+        }
+        if (frame) update_summary();
+    }
+
+    void write_probes() {
+        probes_->write(simulation_);
+        probe_written_ = simulation_.time();
+    }
+
+    void write_frame() {
+        frames_->write(simulation_);
+        frame_written_ = simulation_.time();
+    }
+
+    void update_summary() {
+        const Stopwatch watch(record_.output_seconds);
+        record_.wall_seconds = seconds_since(start_);
+        record_.cpu_seconds = process_cpu_seconds() - cpu_start_;
+        record_.probe_values = probes_->sample(simulation_);
+        write_summary(directory_, simulation_, record_);
+    }
+
+    void fail(const std::string& message) {
+        record_.state = RunState::failed;
+        record_.message = message;
+        update_summary();
+        progress_.finish(progress_state());
+    }
+
+    /// The disk that refused a frame may still take the summary, at least in the place of the old one, which would
+    /// claim that the run goes on. The first refusal is the one to report.
+    void record_failed_output(const OutputError& failure) {
+        try {
+            fail(failure.what());
+        } catch (const OutputError&) {
+            std::error_code ignored;
+            std::filesystem::remove(directory_ / "summary.json", ignored);
+            try {
+                update_summary();
+            } catch (const OutputError&) {
+            }
+        }
+    }
+
+    ProgressState progress_state() const {
+        const WorkCount work = simulation_.work();
+        return {simulation_.time(), record_.end_time, record_.step_seconds + record_.output_seconds,
+                static_cast<double>(work.steps), static_cast<double>(work.particle_steps)};
+    }
+
+    std::filesystem::path directory_;
+    Clock::time_point start_;
+    double cpu_start_;
+    Simulation<Dim> simulation_;
+    RunRecord record_;
+    Progress progress_;
+    Schedule frame_times_, probe_times_;
+    std::optional<ProbeWriter<Dim>> probes_;
+    std::optional<FrameWriter<Dim>> frames_;
+    double probe_written_ = -1, frame_written_ = -1;  ///< simulated time of the last one [s]
+};
+
+}  // namespace
+
+RunStatus run(const Scene& scene, const RunOptions& options) {
+    refuse_to_overwrite(scene, options.directory);
+    if (options.threads > 0) omp_set_num_threads(options.threads);
+    if (scene.dimension == 2) return Run<2>(scene, options).execute();
+    return Run<3>(scene, options).execute();
+}
+
+}  // namespace sluice

@@ -1,0 +1,29 @@
+// A run from start to end: steps, output, and what happens when it is stopped or fails.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "engine/output/run_record.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace sluice {
+
+struct RunOptions {
+    std::filesystem::path directory;  ///< for the results; made if need be
+    int threads = 0;                  ///< 0 = as many as OpenMP offers
+    std::optional<double> until;      ///< simulated time to run to [s], in place of the scene's
+};
+
+struct RunStatus {
+    RunState state = RunState::done;
+    std::string message;  ///< why it failed
+    std::string report;   ///< the table that ends a run
+};
+
+/// Runs a scene and writes scene.toml, frames/, probes.csv and summary.json into the directory. A numerical failure is
+/// a status; whatever was written before it stays readable. Throws SceneError before anything is written, OutputError.
+RunStatus run(const Scene& scene, const RunOptions& options);
+
+}  // namespace sluice

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/scene/formula.hpp"
+#include "engine/scene/reader_parts.hpp"
+
+namespace sluice {
+namespace {
+
+std::size_t read_material_of(TomlTable& table) {
+    std::vector<std::string> names;
+    for (const Material& material : table.scene().materials) names.push_back(material.name);
+    return table.get("material").choice(names);
+}
+
+void read_velocity(const TomlValue& value, Body& body) {
+    const int dimension = value.scene().dimension;
+    const std::string expected = fmt::format("an array of {} numbers or formulas", dimension);
+    const std::vector<TomlValue> components = value.items(expected);
+    if (components.size() != static_cast<std::size_t>(dimension)) value.reject(expected);
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        const TomlValue& component = components[k];
+        const bool is_number = component.node()->is_number();
+        body.velocity[k] = is_number ? fmt::format("{}", component.number()) : component.text();
+        CompiledFormula(value.scene(), component.path(), body.velocity[k]);
+    }
+}
+
+void read_free_surface(const TomlValue& value, MaterialKind kind, Body& body) {
+    if (kind == MaterialKind::solid) value.fail("found a free surface of a solid, expected it for fluids only");
+    if (value.scene().gravity == Point{})
+        value.fail("found a free surface without gravity, expected gravity in the scene");
+    body.hydrostatic_surface = value.number();
+}
+
+Body read_body(TomlTable& table, const std::string& name) {
+    check_name(table, name);
+    Body body;
+    body.name = name;
+    body.material = read_material_of(table);
+    body.shape = read_shape(table.get("shape"));
+    body.spacing = read_spacing(table);
+    const MaterialKind kind = table.scene().materials[body.material].kind;
+    if (const auto clamp = table.get("clamp")) {
+        if (kind == MaterialKind::fluid) clamp.fail("found a clamp on a fluid, expected it for solids only");
+        body.clamp = read_shape(clamp);
+    }
+    if (const auto surface = table.get("hydrostatic_surface")) read_free_surface(surface, kind, body);
+    if (const auto velocity = table.get("velocity")) read_velocity(velocity, body);
+    table.finish();
+    return body;
+}
+
+Wall read_wall(TomlTable& table, const std::string& name) {
+    check_name(table, name);
+    Wall wall;
+    wall.name = name;
+    wall.kind = table.get("kind").choice({"mirror", "fixed"}) == 0 ? WallKind::mirror : WallKind::fixed;
+    if (wall.kind == WallKind::fixed) {
+        wall.shape = read_shape(table.get("shape"));
+        wall.spacing = read_spacing(table);
+    } else {
+        wall.point = table.get("point").point();
+        const TomlValue normal = table.get("normal");
+        wall.normal = normal.point();
+        const double length = std::hypot(wall.normal[0], wall.normal[1], wall.normal[2]);
+        if (!(length > 0)) normal.fail("found a vector of length 0, expected a direction into the fluid");
+        for (double& component : wall.normal) component /= length;
+    }
+    table.finish();
+    return wall;
+}
+
+}  // namespace
+
+double read_spacing(TomlTable& table) {
+    const TomlValue spacing = table.get("spacing"), ratio = table.get("spacing_ratio");
+    if (spacing && ratio) ratio.fail("found it beside spacing, expected one of the two");
+    if (ratio) return ratio.number(positive) * table.scene().method.spacing;
+    return spacing ? spacing.number(positive) : table.scene().method.spacing;
+}
+
+void check_name(const TomlTable& table, const std::string& name) {
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+    if (name.empty() || name.find_first_not_of(letters) != std::string::npos)
+        table.fail(fmt::format("found the name \"{}\", expected letters, digits, _ and -", name));
+}
+
+void read_bodies(TomlTable& root) {
+    const TomlValue value = root.get("bodies");
+    if (!value) value.reject("a table of one body or more");
+    TomlTable all(value);
+    for (const std::string& name : all.keys()) {
+        TomlTable table(all.get(name));
+        root.scene().bodies.push_back(read_body(table, name));
+    }
+    if (root.scene().bodies.empty()) all.fail("found no body, expected one or more");
+}
+
+void read_walls(TomlTable& root) {
+    const TomlValue value = root.get("walls");
+    if (!value) return;
+    TomlTable all(value);
+    for (const std::string& name : all.keys()) {
+        TomlTable table(all.get(name));
+        root.scene().walls.push_back(read_wall(table, name));
+    }
+}
+
+}  // namespace sluice

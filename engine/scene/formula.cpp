@@ -1,0 +1,84 @@
+#include "engine/scene/formula.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace sluice {
+namespace {
+
+// Where a formula is tried when it is compiled: three values that no sensible assignment would leave in place.
+constexpr Point trial{0.337, 0.571, 0.793};
+
+}  // namespace
+
+struct CompiledFormula::Impl {
+    const Scene* scene;
+    std::string key;
+    Formula text;
+    mu::Parser parser;
+    Point at = trial;
+
+    /// `message` with the key, what was found, and what may be used.
+    [[noreturn]] void fail(const std::string& problem) const {
+        std::string names = "x, y, z, pi";
+        for (const auto& [name, value] : scene->constants) names += ", " + name;
+        scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", text, problem, names));
+    }
+
+    /// One value; muParser's own complaints become scene errors.
+    double evaluate() {
+        try {
+            int values = 0;
+            const double* result = parser.Eval(values);
+            if (values != 1) fail(fmt::format("{} values", values));
+            return result[0];
+        } catch (const mu::Parser::exception_type& error) {
+            fail(error.GetMsg());
+        }
+    }
+};
+
+CompiledFormula::CompiledFormula(const Scene& scene, std::string key, const Formula& text)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->scene = &scene;
+    impl_->key = std::move(key);
+    impl_->text = text;
+    mu::Parser& parser = impl_->parser;
+    parser.DefineVar("x", &impl_->at[0]);
+    parser.DefineVar("y", &impl_->at[1]);
+    parser.DefineVar("z", &impl_->at[2]);
+    parser.DefineConst("pi", std::numbers::pi);
+    for (const auto& [name, value] : scene.constants) parser.DefineConst(name, value);
+    parser.SetExpr(text.empty() ? "0" : text);
+    impl_->evaluate();
+    if (impl_->at != trial) impl_->fail("an assignment (to compare, write ==)");
+}
+
+CompiledFormula::~CompiledFormula() = default;
+CompiledFormula::CompiledFormula(CompiledFormula&&) noexcept = default;
+CompiledFormula& CompiledFormula::operator=(CompiledFormula&&) noexcept = default;
+
+double CompiledFormula::operator()(const Point& p) const {
+    impl_->at = p;
+    const double value = impl_->evaluate();
+    if (!std::isfinite(value)) impl_->fail(fmt::format("{} at ({}, {}, {})", value, p[0], p[1], p[2]));
+    return value;
+}
+
+std::string constant_name_problem(const std::string& name) {
+    const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    const bool is_word = !name.empty() && letters.find(name[0]) != std::string::npos &&
+                         name.find_first_not_of(letters + "0123456789") == std::string::npos;
+    if (!is_word) return "a name that is not made of letters, digits and _";
+    const mu::Parser parser;
+    if (name == "x" || name == "y" || name == "z" || name == "pi" || parser.GetConst().contains(name))
+        return "a name that formulas have already";
+    if (parser.GetFunDef().contains(name)) return "the name of a function";
+    return "";
+}
+
+}  // namespace sluice

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "engine/scene/formula.hpp"
+#include "engine/scene/overrides.hpp"
+#include "engine/scene/reader_parts.hpp"
+#include "engine/scene/toml_table.hpp"
+
+namespace sluice {
+namespace {
+
+std::string read_text(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw SceneError(fmt::format("{}: found a folder, expected a scene file", path));
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw SceneError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+toml::table parse(const std::string& text, const std::string& path) {
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        const auto& at = error.source().begin;
+        throw SceneError(fmt::format("{}:{}:{}: {}", path, at.line, at.column, error.description()));
+    }
+}
+
+void read_constants(TomlTable& root) {
+    const TomlValue value = root.get("constants");
+    if (!value) return;
+    TomlTable table(value);
+    for (const std::string& name : table.keys()) {
+        const TomlValue constant = table.get(name);
+        const std::string problem = constant_name_problem(name);
+        if (!problem.empty()) constant.fail(fmt::format("found {}, expected a new name for the constant", problem));
+        root.scene().constants[name] = constant.number();
+    }
+}
+
+void read_output(TomlTable& root) {
+    TomlTable table(root.get("output"));
+    OutputTimes& output = root.scene().output;
+    output.end = table.get("end").number(positive);
+    if (const auto v = table.get("frame_interval")) output.frame_interval = v.number(not_negative);
+    if (const auto v = table.get("probe_interval")) output.probe_interval = v.number(not_negative);
+    table.finish();
+}
+
+void read_scene(TomlTable& root) {
+    Scene& scene = root.scene();
+    if (const auto v = root.get("title")) scene.title = v.text();
+    if (const auto v = root.get("dimension")) scene.dimension = v.integer({2, 3});
+    if (const auto v = root.get("gravity")) scene.gravity = v.point();
+    read_constants(root);
+    read_method(root);
+    read_materials(root);
+    read_bodies(root);
+    read_walls(root);
+    read_probes(root);
+    read_output(root);
+    root.finish();
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
+    toml::table table = parse(read_text(path), path);
+    apply_overrides(table, overrides, path);
+    Scene scene;
+    scene.file = path;
+    std::ostringstream canonical;
+    canonical << toml::toml_formatter(table) << '\n';
+    scene.source = canonical.str();
+    TomlTable root(table, scene);
+    read_scene(root);
+    return scene;
+}
+
+}  // namespace sluice

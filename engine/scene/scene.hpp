@@ -1,0 +1,121 @@
+// A scene as its file states it: checked values only, no particles yet. SI units throughout.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/shape.hpp"
+
+namespace sluice {
+
+/// What is wrong with a scene, as one readable text: `file:line: key: what was found, what was expected`.
+class SceneError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+enum class MaterialKind { fluid, solid };
+
+struct Material {
+    std::string name;
+    MaterialKind kind = MaterialKind::fluid;
+    double density = 0;        ///< reference density ρ0 [kg/m³]
+    double sound_speed = 0;    ///< c0 [m/s]: given for a fluid; sqrt(K/ρ0) for a solid
+    double shear_modulus = 0;  ///< μ [Pa], 0 for a fluid
+
+    /// K = ρ0 c0² [Pa]
+    double bulk_modulus() const { return density * sound_speed * sound_speed; }
+};
+
+/// A velocity component as a formula in x, y, z and the scene's [constants]; empty = 0.
+using Formula = std::string;
+
+struct Body {
+    std::string name;
+    std::size_t material = 0;  ///< index into Scene::materials
+    ShapePtr shape;
+    double spacing = 0;               ///< nominal initial particle distance d [m]
+    ShapePtr clamp;                   ///< particles whose centre lies in it are held fixed; may be null
+    std::array<Formula, 3> velocity;  ///< initial velocity [m/s]
+    /// Height of the free surface against gravity [m]; none = start at p = 0.
+    std::optional<double> hydrostatic_surface;
+};
+
+enum class WallKind { mirror, fixed };
+
+struct Wall {
+    std::string name;
+    WallKind kind = WallKind::mirror;
+    Point point{};       ///< mirror: a point of the plane [m]
+    Point normal{};      ///< mirror: unit normal into the fluid
+    ShapePtr shape;      ///< fixed: filled with layers of fixed ghost particles
+    double spacing = 0;  ///< fixed: [m]
+};
+
+enum class ProbeKind { displacement, pressure, water_level, energy, momentum, force };
+
+struct Probe {
+    std::string name;
+    ProbeKind kind = ProbeKind::energy;
+    std::optional<std::size_t> body;  ///< displacement, force, pressure on a surface: index into Scene::bodies
+    Point at{};                       ///< displacement, pressure: reference position; water_level: x (2D), x and z (3D)
+};
+
+/// Method constants of one medium. A value of 0 (or θ = 1) takes the term out of the loops.
+struct MediumMethod {
+    double velocity_filter = 1;          ///< θ of eq. (16); 1 = off
+    double artificial_viscosity = 0;     ///< α of eq. (12)
+    double artificial_stress = 0;        ///< e of eq. (14)
+    int artificial_stress_exponent = 4;  ///< q of eq. (11)
+};
+
+struct Method {
+    std::string preset = "paper";
+    double spacing = 0;                ///< reference spacing d [m]; bodies may state their own
+    double smoothing_length = 1.5;     ///< h / d
+    double courant = 0.9;              ///< dt = courant · h / c0, smallest over the media
+    std::optional<double> time_step;   ///< fixed dt [s] in place of the Courant limit
+    std::string precision = "double";  ///< of the pair arithmetic: double | mixed
+    double mach_limit = 0.1;
+    std::optional<double> expected_speed;  ///< highest fluid speed expected [m/s]; none = estimated from the scene
+    MediumMethod fluid;
+    MediumMethod solid;
+};
+
+struct OutputTimes {
+    double end = 0;             ///< simulated time to run to [s]
+    double frame_interval = 0;  ///< [s]; 0 = no frames
+    double probe_interval = 0;  ///< [s]
+};
+
+/// Where a key was found: line of the scene file; 0 = set on the command line. Keys left at their default are absent.
+using KeyLines = std::map<std::string, int>;
+
+struct Scene {
+    std::string title;
+    std::string file;    ///< path as given, for messages
+    std::string source;  ///< the file's text with the command line's changes applied, as canonical TOML; hashed for
+                         ///< summary.json
+    int dimension = 2;
+    Point gravity{};
+    std::map<std::string, double> constants;
+    std::vector<Material> materials;
+    std::vector<Body> bodies;
+    std::vector<Wall> walls;
+    std::vector<Probe> probes;
+    Method method;
+    OutputTimes output;
+    KeyLines lines;
+
+    /// Throws SceneError naming file, line and key.
+    [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+};
+
+/// Reads, overrides (`key.path=value`) and checks a scene. Throws SceneError.
+Scene load_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+}  // namespace sluice

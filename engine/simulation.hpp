@@ -1,0 +1,85 @@
+// A scene brought to life: particles, effects and the step that advances them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/effects.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/state/phases.hpp"
+#include "engine/step/phase_timer.hpp"
+
+namespace sluice {
+
+/// The largest stable step of one medium.
+struct CourantLimit {
+    std::string medium;  ///< material's name
+    double dt = 0;       ///< courant · h / c0 [s]
+};
+
+/// What a run has cost so far, apart from time.
+struct WorkCount {
+    std::uint64_t steps = 0;
+    std::uint64_t particle_steps = 0;     ///< fluid and solid particles advanced
+    std::uint64_t pairs = 0;              ///< directed pairs inside the support, summed over all pair passes
+    std::uint64_t neighbour_builds = 0;
+};
+
+struct EnergyBalance {
+    double kinetic = 0, potential = 0, compression = 0, elastic = 0;  ///< [J; J/m in 2D]
+    double total() const { return kinetic + potential + compression + elastic; }
+};
+
+/// Momentum handed from fluid to solid in the last step [N], and what is left when both sides are added up.
+struct InterfaceBalance {
+    double force = 0;     ///< sum of the magnitudes of the element forces
+    double residual = 0;  ///< |force on solid + force on fluid + reaction of the mirror walls| / force; 0 if force = 0
+};
+
+template <int Dim>
+class Simulation {
+  public:
+    /// Places the particles. Throws SceneError for bodies that overlap or are too thin.
+    explicit Simulation(const Scene& scene);
+    ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// Advances by one time step. Allocates nothing unless neighbours are rebuilt.
+    void step();
+
+    double time() const;
+    double time_step() const;
+    const std::vector<CourantLimit>& courant_limits() const;
+
+    const Scene& scene() const;
+    const Effects& effects() const;
+    const FluidPhase<Dim>& fluid() const;
+    const SolidPhase<Dim>& solid() const;
+    const WallPhase<Dim>& wall() const;
+    const InterfaceElements<Dim>& interface() const;
+
+    WorkCount work() const;
+    const PhaseTimer& timer() const;
+    EnergyBalance energy() const;
+    Vec<Dim> momentum() const;       ///< of all moving particles [kg m/s]
+    Vec<Dim> force_on(std::size_t body) const;  ///< of the fluid on a solid body [N; N/m in 2D]
+    InterfaceBalance interface_balance() const; ///< worst residual over all steps so far
+    double max_mach() const;         ///< highest |v|/c0 of the fluid so far
+    double max_speed() const;        ///< highest |v| of the fluid so far [m/s]
+    std::size_t memory_bytes() const;  ///< particle fields and neighbour lists
+
+    /// Index in solid() of the particle with this id.
+    const std::vector<Index>& solid_index_of_id() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+extern template class Simulation<2>;
+extern template class Simulation<3>;
+
+}  // namespace sluice

@@ -1,0 +1,71 @@
+// The particles of each medium. A phase holds only the fields that the scene's effects need; the others stay empty.
+//
+// Particles beyond `owned` are images: reflections of owned particles across mirror walls, refreshed before each pass.
+#pragma once
+
+#include <cstdint>
+
+#include "neighbor/fields.hpp"
+
+namespace sluice {
+
+/// Fields that every medium has.
+template <int Dim>
+struct PhaseBase {
+    std::size_t owned = 0;
+    VectorField<Dim> position;      ///< x^n [m]
+    VectorField<Dim> velocity;      ///< v^(n-1/2) at rest between steps [m/s]
+    VectorField<Dim> acceleration;  ///< [m/s²]
+    ScalarField density;            ///< [kg/m³]
+    ScalarField density_rate;       ///< [kg/m³/s]
+    ScalarField pressure;           ///< [Pa]
+    ScalarField mass;               ///< [kg; kg/m in 2D]
+    ScalarField smoothing_length;   ///< h [m]
+    Array<std::uint32_t> id;        ///< number in the initial order of this phase; never changes
+    Array<std::uint16_t> body;      ///< index into Scene::bodies (walls: Scene::walls)
+};
+
+template <int Dim>
+struct FluidPhase : PhaseBase<Dim> {
+    ScalarField pressure_over_rho2;        ///< p/ρ² [Pa m⁶/kg²]
+    VectorField<Dim> velocity_correction;  ///< velocity filter: what eq. (16) adds [m/s]
+};
+
+template <int Dim>
+struct SolidPhase : PhaseBase<Dim> {
+    SymTensorField<Dim> deviatoric_stress;  ///< S [Pa]; in 2D S_zz = -S_xx - S_yy (plane strain)
+    SymTensorField<Dim> stress_over_rho2;   ///< σ/ρ² [Pa m⁶/kg²]
+    SymTensorField<Dim> artificial_stress;  ///< R of eq. (14), same unit
+    TupleField<Dim * Dim> velocity_gradient;  ///< dv_i/dx_j, row-major [1/s]
+    Array<std::uint8_t> clamped;            ///< 1 = held fixed
+    VectorField<Dim> velocity_correction;   ///< velocity filter, only if the scene filters its solids [m/s]
+};
+
+/// Layers of fixed ghosts of rigid walls; their pressure is taken from the fluid in front of them.
+template <int Dim>
+struct WallPhase {
+    std::size_t owned = 0;
+    VectorField<Dim> position;     ///< [m]
+    ScalarField pressure;          ///< [Pa]
+    ScalarField volume;            ///< [m³; m² in 2D]
+    ScalarField smoothing_length;  ///< [m]
+    Array<std::uint32_t> id;
+    Array<std::uint16_t> body;     ///< index into Scene::walls
+};
+
+/// Elements of the interface between fluid and solids: a polygon around each solid body.
+/// Elements beyond `owned` are images across mirror walls.
+template <int Dim>
+struct InterfaceElements {
+    std::size_t owned = 0;
+    VectorField<Dim> position;     ///< centre [m]
+    VectorField<Dim> area_normal;  ///< n ΔΓ, into the fluid [m²; m in 2D]
+    VectorField<Dim> velocity;     ///< of the solid at the element [m/s]
+    ScalarField pressure;          ///< p_int of eq. (26) [Pa]
+    ScalarField image_pressure;    ///< the part of it that images of fluid particles contribute [Pa]
+    ScalarField solid_weight;      ///< Σ V W over the solid around it, by which forces are shared out
+    VectorField<Dim> force;        ///< of the fluid on the element [N; N/m in 2D]
+    Array<std::uint16_t> body;     ///< index into Scene::bodies
+};
+
+}  // namespace sluice

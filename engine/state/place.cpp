@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+
+#include "engine/scene/checks.hpp"
+#include "engine/scene/formula.hpp"
+#include "engine/state/state.hpp"
+
+namespace sluice {
+namespace {
+
+template <int Dim>
+Vec<Dim> to_vec(const Point& p) {
+    Vec<Dim> v;
+    for (int k = 0; k < Dim; ++k) v[k] = p[static_cast<std::size_t>(k)];
+    return v;
+}
+
+Medium medium_of(const Material& m) { return {m.name, {m.density, m.sound_speed}, m.shear_modulus}; }
+
+/// Remembers the one material of a medium; a second one is refused, because pairs across materials are not defined.
+void set_medium(const Scene& scene, const Body& body, std::optional<Medium>& medium) {
+    const Material& material = scene.materials[body.material];
+    if (medium && medium->name != material.name)
+        scene.fail("bodies." + body.name + ".material",
+                   "found a second " + std::string(material.kind == MaterialKind::fluid ? "fluid" : "solid") +
+                       " material, \"" + material.name + "\" beside \"" + medium->name +
+                       "\"; expected one material per medium");
+    medium = medium_of(material);
+}
+
+/// Fields of one new particle that both media have; its density follows from its pressure.
+template <int Dim>
+void append(PhaseBase<Dim>& phase, const Vec<Dim>& x, const Vec<Dim>& v, double pressure, double density) {
+    phase.position.push_back(x);
+    phase.velocity.push_back(v);
+    phase.pressure.push_back(pressure);
+    phase.density.push_back(density);
+    phase.id.push_back(static_cast<std::uint32_t>(phase.id.size()));
+}
+
+/// Pressure of a fluid at rest under a free surface whose height is measured against gravity. [Pa]
+double hydrostatic_pressure(const Scene& scene, const Body& body, const Point& x, double rho0) {
+    if (!body.hydrostatic_surface) return 0;
+    double g2 = 0, g_x = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        g2 += scene.gravity[k] * scene.gravity[k];
+        g_x += scene.gravity[k] * x[k];
+    }
+    if (g2 == 0) return 0;
+    const double g = std::sqrt(g2), height = -g_x / g;
+    return rho0 * g * std::max(0.0, *body.hydrostatic_surface - height);
+}
+
+/// Initial velocity of a body at a point.
+template <int Dim>
+class InitialVelocity {
+  public:
+    InitialVelocity(const Scene& scene, const Body& body) {
+        for (std::size_t k = 0; k < Dim; ++k)
+            components_.emplace_back(scene, "bodies." + body.name + ".velocity", body.velocity[k]);
+    }
+    Vec<Dim> operator()(const Point& p) const {
+        Vec<Dim> v;
+        for (int k = 0; k < Dim; ++k) v[k] = components_[static_cast<std::size_t>(k)](p);
+        return v;
+    }
+
+  private:
+    std::vector<CompiledFormula> components_;
+};
+
+template <int Dim>
+void place_body(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
+    const Body& body = scene.bodies[number];
+    const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
+    set_medium(scene, body, is_fluid ? state.water : state.rubber);
+    const LinearEquationOfState eos = (is_fluid ? state.water : state.rubber)->eos;
+    PhaseBase<Dim>& phase = is_fluid ? static_cast<PhaseBase<Dim>&>(state.fluid) : state.solid;
+    const InitialVelocity<Dim> velocity(scene, body);
+    // h follows the lattice as it was fitted, so that h/d and with it every sum over a full support is what was asked for.
+    const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
+    for (const Point& p : packing.position) {
+        const double pressure = is_fluid ? hydrostatic_pressure(scene, body, p, eos.density) : 0;
+        const double density = eos.density_at(pressure);
+        const bool clamped = body.clamp && body.clamp->contains(p);
+        append(phase, to_vec<Dim>(p), clamped ? Vec<Dim>{} : velocity(p), pressure, density);
+        phase.mass.push_back(density * packing.volume);
+        phase.smoothing_length.push_back(h);
+        phase.body.push_back(static_cast<std::uint16_t>(number));
+        if (!is_fluid) state.solid.clamped.push_back(clamped);
+    }
+}
+
+template <int Dim>
+void place_wall(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
+    const Wall& wall = scene.walls[number];
+    if (wall.kind == WallKind::mirror) {
+        state.mirrors.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
+        return;
+    }
+    const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
+    for (const Point& p : packing.position) {
+        state.wall.position.push_back(to_vec<Dim>(p));
+        state.wall.volume.push_back(packing.volume);
+        state.wall.smoothing_length.push_back(h);
+        state.wall.pressure.push_back(0);
+        state.wall.id.push_back(static_cast<std::uint32_t>(state.wall.id.size()));
+        state.wall.body.push_back(static_cast<std::uint16_t>(number));
+    }
+}
+
+/// Fields that start at zero, and only those that the effects need.
+template <int Dim>
+void allocate_rates(const Effects& effects, State<Dim>& state) {
+    FluidPhase<Dim>& fluid = state.fluid;
+    fluid.owned = fluid.id.size();
+    fluid.acceleration.resize(fluid.owned);
+    fluid.density_rate.assign(fluid.owned, 0);
+    fluid.pressure_over_rho2.assign(fluid.owned, 0);
+    if (effects.has(Effect::velocity_filter)) fluid.velocity_correction.resize(fluid.owned);
+    SolidPhase<Dim>& solid = state.solid;
+    solid.owned = solid.id.size();
+    solid.acceleration.resize(solid.owned);
+    solid.density_rate.assign(solid.owned, 0);
+    solid.deviatoric_stress.resize(solid.owned);
+    solid.stress_over_rho2.resize(solid.owned);
+    solid.velocity_gradient.resize(solid.owned);
+    if (effects.has(Effect::artificial_stress)) solid.artificial_stress.resize(solid.owned);
+    if (effects.has(Effect::solid_filter)) solid.velocity_correction.resize(solid.owned);
+    state.wall.owned = state.wall.id.size();
+}
+
+/// A solid particle's number within its body, and the elements around the bodies that fluid can reach.
+template <int Dim>
+void place_interface(const Scene& scene, const std::vector<Packing>& packings, State<Dim>& state) {
+    if constexpr (Dim == 2) {
+        Index first_id = 0;
+        for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+            if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
+            state.surface.add_body(packings[b], first_id, static_cast<std::uint16_t>(b));
+            first_id += static_cast<Index>(packings[b].position.size());
+        }
+        state.surface.allocate(state.elements);
+    } else {
+        scene.fail("dimension", "found 3 for a scene with both fluid and solid bodies; the interface between them is "
+                                "so far built in two dimensions only: expected 2");
+    }
+}
+
+template <int Dim>
+void find_smoothing_range(State<Dim>& state) {
+    state.max_h = 0;
+    state.min_h = 1e300;
+    for (const ScalarField* h : {&state.fluid.smoothing_length, &state.solid.smoothing_length, &state.wall.smoothing_length})
+        for (const double value : *h) {
+            state.max_h = std::max(state.max_h, value);
+            state.min_h = std::min(state.min_h, value);
+        }
+}
+
+}  // namespace
+
+template <int Dim>
+State<Dim> place_particles(const Scene& scene, const Effects& effects) {
+    const std::vector<Packing> bodies = pack_bodies(scene), walls = pack_walls(scene);
+    check_geometry(scene, bodies, walls);
+    check_mach(scene, bodies);
+    State<Dim> state;
+    state.gravity = to_vec<Dim>(scene.gravity);
+    for (std::size_t b = 0; b < bodies.size(); ++b) place_body(scene, b, bodies[b], state);
+    for (std::size_t w = 0; w < walls.size(); ++w) place_wall(scene, w, walls[w], state);
+    allocate_rates(effects, state);
+    if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
+    find_smoothing_range(state);
+    return state;
+}
+
+template State<2> place_particles<2>(const Scene&, const Effects&);
+template State<3> place_particles<3>(const Scene&, const Effects&);
+
+}  // namespace sluice

@@ -1,0 +1,41 @@
+// Wall time per phase of a step.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string_view>
+
+namespace sluice {
+
+enum class StepPhase { search, fluid_pass, filter_pass, density_pass, solid_pass, gradient_pass, interface_pass, wall_pass, update, output };
+inline constexpr std::array<std::string_view, 10> step_phase_names{
+    "neighbour search", "fluid momentum", "velocity filter", "fluid density", "solid momentum",
+    "solid gradient and stress", "interface", "walls and images", "update", "output"};
+
+class PhaseTimer {
+  public:
+    /// Adds its lifetime to a phase.
+    class Scope {
+      public:
+        Scope(PhaseTimer& t, StepPhase p) : timer_(t), phase_(p), start_(Clock::now()) {}
+        ~Scope() {
+            timer_.seconds_[static_cast<std::size_t>(phase_)] +=
+                std::chrono::duration<double>(Clock::now() - start_).count();
+        }
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        PhaseTimer& timer_;
+        StepPhase phase_;
+        std::chrono::steady_clock::time_point start_;
+    };
+    Scope measure(StepPhase p) { return Scope(*this, p); }
+    const std::array<double, step_phase_names.size()>& seconds() const { return seconds_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::array<double, step_phase_names.size()> seconds_{};
+};
+
+}  // namespace sluice

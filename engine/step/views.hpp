@@ -1,0 +1,52 @@
+// What the pair passes see of each phase.
+#pragma once
+
+#include "engine/state/phases.hpp"
+#include "kernels/interface_passes.hpp"
+#include "kernels/pair.hpp"
+
+namespace sluice {
+
+template <int Dim>
+ParticleView<Dim> base_view(const PhaseBase<Dim>& p) {
+    ParticleView<Dim> v;
+    v.position = columns_of(p.position);
+    v.velocity = columns_of(p.velocity);
+    v.smoothing_length = p.smoothing_length.data();
+    v.mass = p.mass.data();
+    v.density = p.density.data();
+    v.pressure = p.pressure.data();
+    return v;
+}
+
+template <int Dim>
+ParticleView<Dim> view_of(const FluidPhase<Dim>& p) {
+    ParticleView<Dim> v = base_view(p);
+    v.pressure_over_rho2 = p.pressure_over_rho2.data();
+    return v;
+}
+
+template <int Dim>
+ParticleView<Dim> view_of(const SolidPhase<Dim>& p) {
+    ParticleView<Dim> v = base_view(p);
+    v.stress_over_rho2 = columns_of(p.stress_over_rho2);
+    v.artificial_stress = columns_of(p.artificial_stress);
+    return v;
+}
+
+template <int Dim>
+ParticleView<Dim> view_of(const WallPhase<Dim>& p) {
+    ParticleView<Dim> v;
+    v.position = columns_of(p.position);
+    v.smoothing_length = p.smoothing_length.data();
+    v.volume = p.volume.data();
+    v.pressure = p.pressure.data();
+    return v;
+}
+
+template <int Dim>
+ElementView<Dim> view_of(const InterfaceElements<Dim>& e) {
+    return {columns_of(e.position), columns_of(e.area_normal), columns_of(e.velocity), e.owned};
+}
+
+}  // namespace sluice

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "kernels/tile.hpp"
+
+namespace sluice {
+
+/// Continuity equation [Antoci2007, eq. 8]; zero for a uniform velocity.
+///   dρ_i/dt = Σ_j m_j v_ij · ∇_i W_ij          [kg/m³/s]
+struct Continuity {
+    static constexpr unsigned reads_i = column::velocity, reads_j = column::mass | column::velocity;
+
+    template <class Pair>
+    auto operator()(const Pair& ij) const {
+        return ij.m_j() * dot(ij.v_ij(), ij.grad_w());
+    }
+};
+
+}  // namespace sluice

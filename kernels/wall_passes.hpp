@@ -1,0 +1,28 @@
+// Rigid walls made of layers of fixed ghost particles.
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/fluid_passes.hpp"
+
+namespace sluice {
+
+/// The pressure of each ghost, taken from the fluid in front of it: the mean over the fluid neighbours, each brought to
+/// the ghost's place by the hydrostatic gradient [Adami, Hu & Adams 2012, eq. 27],
+///   p_w = Σ_f V_f (p_f + ρ_f g·(x_w − x_f)) W_wf / Σ_f V_f W_wf,   and 0 where it would be negative:
+/// a smooth rigid wall pushes water but does not hold it. A ghost has no memory: with no fluid near, p_w = 0.
+template <int Dim, class Real>
+std::uint64_t fixed_ghost_pressure(const ParticleView<Dim>& wall, const ParticleView<Dim>& fluid,
+                                   const NeighborList& list, const Vec<Dim>& gravity, ScalarField& pressure);
+
+/// acceleration of the fluid += the ghosts' pressure (FixedGhostPressure).
+template <int Dim, class Real>
+std::uint64_t fixed_ghost_force(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall, const NeighborList& list,
+                                VectorField<Dim>& acceleration);
+
+/// density_rate of the fluid += approach to the ghosts (FixedGhostContinuity).
+template <int Dim, class Real>
+std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall,
+                                     const NeighborList& list, ScalarField& density_rate);
+
+}  // namespace sluice

@@ -1,0 +1,63 @@
+// Cell-linked lists: particles sorted by the Morton key of the cell that they lie in.
+//
+// Only occupied cells exist; they are found through a hash table of their keys. Memory therefore follows the number of
+// particles, not the extent of the domain, and a particle that flies far away costs nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "neighbor/fields.hpp"
+#include "neighbor/radix_sort.hpp"
+
+namespace sluice {
+
+/// An occupied cell: its particles are order()[begin, end).
+template <int Dim>
+struct Cell {
+    std::array<std::uint32_t, Dim> coordinate{};
+    Index begin = 0;
+    Index end = 0;
+    double reach = 0;  ///< largest reach of its particles [m]
+};
+
+template <int Dim>
+class CellGrid {
+  public:
+    /// Sorts the first n positions into cells of the given edge. `reach` (n entries or empty = 0) is each particle's
+    /// share of a pair's cut-off. Throws std::length_error if the extent over the cell size exceeds the key's range.
+    void build(const VectorField<Dim>& position, std::size_t n, double cell_size, std::span<const double> reach = {});
+
+    /// Particle indices, cell by cell in Morton order; within a cell ascending.
+    const Array<Index>& order() const { return order_; }
+    const Array<Cell<Dim>>& cells() const { return cells_; }
+    double cell_size() const { return cell_size_; }
+    const Vec<Dim>& origin() const { return origin_; }
+    double max_reach() const { return max_reach_; }
+
+    /// Cell at a coordinate (which may lie outside the grid), or nullptr if no particle is in it.
+    const Cell<Dim>* find(const std::array<std::int64_t, Dim>& coordinate) const;
+
+  private:
+    void compute_keys(const VectorField<Dim>& position, std::size_t n);
+    void collect_cells(const VectorField<Dim>& position, std::span<const double> reach);
+    void hash_cells();
+
+    double cell_size_ = 0;
+    double max_reach_ = 0;
+    Vec<Dim> origin_;
+    std::array<std::uint32_t, Dim> extent_{};  ///< cells along each axis
+    int key_bits_ = 0;
+    Array<std::uint64_t> keys_;
+    Array<Index> order_;
+    Array<Cell<Dim>> cells_;
+    Array<std::uint64_t> cell_key_;
+    Array<Index> table_;  ///< open addressing, size a power of two: cell number + 1, 0 = empty
+    RadixSorter sorter_;
+};
+
+extern template class CellGrid<2>;
+extern template class CellGrid<3>;
+
+}  // namespace sluice

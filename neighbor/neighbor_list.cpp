@@ -1,0 +1,181 @@
+#include "neighbor/neighbor_list.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "neighbor/parallel.hpp"
+
+namespace sluice {
+
+void NeighborList::clear() {
+    query_.clear();
+    query_start_.assign(1, 0);
+    candidate_.clear();
+    candidate_start_.assign(1, 0);
+    pairs_ = 0;
+}
+
+namespace {
+
+/// The smallest box around some particles.
+template <int Dim>
+struct Extent {
+    Vec<Dim> lo, hi;
+
+    Extent(const VectorField<Dim>& position, std::span<const Index> particles)
+        : lo(position[particles[0]]), hi(position[particles[0]]) {
+        for (const Index i : particles)
+            for (int k = 0; k < Dim; ++k) {
+                lo[k] = std::min(lo[k], position.c[static_cast<std::size_t>(k)][i]);
+                hi[k] = std::max(hi[k], position.c[static_cast<std::size_t>(k)][i]);
+            }
+    }
+    double distance2(const Vec<Dim>& x) const {
+        double d2 = 0;
+        for (int k = 0; k < Dim; ++k) {
+            const double gap = std::max({0.0, x[k] - hi[k], lo[k] - x[k]});
+            d2 += gap * gap;
+        }
+        return d2;
+    }
+};
+
+/// Lower bound for the squared distance between a box [lo, hi] and a cell of the grid.
+template <int Dim>
+double box_distance2(const Vec<Dim>& lo, const Vec<Dim>& hi, const CellGrid<Dim>& grid,
+                     const std::array<std::int64_t, Dim>& c) {
+    double d2 = 0;
+    for (int k = 0; k < Dim; ++k) {
+        const double cell_lo = grid.origin()[k] + static_cast<double>(c[static_cast<std::size_t>(k)]) * grid.cell_size();
+        const double gap = std::max({0.0, cell_lo - hi[k], lo[k] - (cell_lo + grid.cell_size())});
+        d2 += gap * gap;
+    }
+    return d2;
+}
+
+/// Calls visit(coordinate) for every cell coordinate in the box lo … hi, x fastest.
+template <int Dim, class Visit>
+void for_coordinates(const std::array<std::int64_t, Dim>& lo, const std::array<std::int64_t, Dim>& hi, Visit&& visit) {
+    std::array<std::int64_t, Dim> c = lo;
+    for (;;) {
+        visit(c);
+        std::size_t k = 0;
+        while (k < Dim && ++c[k] > hi[k]) {
+            c[k] = lo[k];
+            ++k;
+        }
+        if (k == Dim) return;
+    }
+}
+
+/// The occupied target cells that can hold a neighbour of some particle in [lo, hi] with this reach.
+template <int Dim>
+void find_near_cells(const Vec<Dim>& lo, const Vec<Dim>& hi, double reach, const CellGrid<Dim>& target,
+                     double target_scale, Array<const Cell<Dim>*>& near_cells) {
+    near_cells.clear();
+    const double farthest = reach + target_scale * target.max_reach();
+    std::array<std::int64_t, Dim> first, last;
+    for (int k = 0; k < Dim; ++k) {
+        const auto kk = static_cast<std::size_t>(k);
+        first[kk] = static_cast<std::int64_t>(std::floor((lo[k] - farthest - target.origin()[k]) / target.cell_size()));
+        last[kk] = static_cast<std::int64_t>(std::floor((hi[k] + farthest - target.origin()[k]) / target.cell_size()));
+    }
+    for_coordinates<Dim>(first, last, [&](const auto& c) {
+        const double d2 = box_distance2<Dim>(lo, hi, target, c) * (1 - 1e-12);  // the cell's edges are rounded
+        if (d2 > farthest * farthest) return;
+        const Cell<Dim>* cell = target.find(c);
+        if (!cell) return;
+        const double cut = reach + target_scale * cell->reach;
+        if (d2 <= cut * cut) near_cells.push_back(cell);
+    });
+}
+
+}  // namespace
+
+template <int Dim>
+void NeighborSearch<Dim>::search_group(const Job& job, std::span<const Index> group, Share& share) {
+    const auto& [query, owned, target, reach, group_size] = job;
+    const bool same_set = &query.position == &target.position;
+    const Extent<Dim> extent(query.position, group);
+    double group_reach = 0;
+    for (const Index i : group) group_reach = std::max(group_reach, reach.of_query(i));
+    const std::size_t before = share.candidate.size();
+    const bool single = group.size() == 1;
+    for (const Cell<Dim>* near : share.near_cells)
+        for (Index t = near->begin; t < near->end; ++t) {
+            const Index j = target.grid.order()[t];
+            const Vec<Dim> x = target.position[j];
+            const double cut = group_reach + reach.of_target(j) + reach.skin;
+            if (extent.distance2(x) >= cut * cut || (single && same_set && group[0] == j)) continue;
+            share.candidate.push_back(j);
+            for (const Index i : group) {
+                const double support = reach.of_query(i) + reach.of_target(j);
+                share.pairs += norm2(query.position[i] - x) < support * support && !(same_set && i == j);
+            }
+        }
+    if (share.candidate.size() == before) return;
+    share.candidate_count.push_back(static_cast<Index>(share.candidate.size() - before));
+    share.query.insert(share.query.end(), group.begin(), group.end());
+    share.query_count.push_back(static_cast<Index>(group.size()));
+}
+
+template <int Dim>
+void NeighborSearch<Dim>::search_cells(const Job& job, Share& share) {
+    for (Array<Index>* a : {&share.query, &share.query_count, &share.candidate, &share.candidate_count}) a->clear();
+    share.pairs = 0;
+    const auto& order = job.query.grid.order();
+    for (std::size_t c = share.first_cell; c < share.last_cell; ++c) {
+        const Cell<Dim>& cell = job.query.grid.cells()[c];
+        const std::span<const Index> members{order.data() + cell.begin, cell.end - cell.begin};
+        // Far tighter than the cell's own box where particles have different reaches or the cell is half empty.
+        const Extent<Dim> extent(job.query.position, members);
+        find_near_cells<Dim>(extent.lo, extent.hi, job.reach.query_scale * cell.reach + job.reach.skin, job.target.grid,
+                             job.reach.target_scale, share.near_cells);
+        if (share.near_cells.empty()) continue;
+        std::array<Index, max_group_size> group;
+        std::size_t size = 0;
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            if (members[m] < job.owned) group[size++] = members[m];
+            if (size == static_cast<std::size_t>(job.group_size) || (m + 1 == members.size() && size > 0)) {
+                search_group(job, {group.data(), size}, share);
+                size = 0;
+            }
+        }
+    }
+}
+
+template <int Dim>
+void NeighborSearch<Dim>::join(NeighborList& list) const {
+    list.clear();
+    for (const Share& share : shares_) {
+        list.query_.insert(list.query_.end(), share.query.begin(), share.query.end());
+        list.candidate_.insert(list.candidate_.end(), share.candidate.begin(), share.candidate.end());
+        for (const Index n : share.query_count) list.query_start_.push_back(list.query_start_.back() + n);
+        for (const Index n : share.candidate_count) list.candidate_start_.push_back(list.candidate_start_.back() + n);
+        list.pairs_ += share.pairs;
+    }
+}
+
+template <int Dim>
+void NeighborSearch<Dim>::build(const Set& query, std::size_t owned, const Set& target, const PairReach& reach,
+                                int group_size, NeighborList& list) {
+    const std::size_t cells = query.grid.cells().size();
+    if (cells == 0 || target.grid.cells().empty()) return list.clear();
+    const Job job{query, owned, target, reach, group_size};
+    const int threads = omp_get_max_threads();
+    shares_.resize(static_cast<std::size_t>(threads));
+    for (std::size_t t = 0; t < shares_.size(); ++t) {
+        shares_[t].first_cell = cells * t / shares_.size();
+        shares_[t].last_cell = cells * (t + 1) / shares_.size();
+    }
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
+    for (int t = 0; t < threads; ++t) search_cells(job, shares_[static_cast<std::size_t>(t)]);
+    join(list);
+}
+
+template class NeighborSearch<2>;
+template class NeighborSearch<3>;
+
+}  // namespace sluice

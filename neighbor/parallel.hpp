@@ -1,0 +1,72 @@
+// Loops over particles on all threads, and reductions whose result does not depend on how many threads there are.
+#pragma once
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace sluice {
+
+/// Below this many items a loop runs on the calling thread: a team's fork and join cost more than the work.
+inline constexpr std::size_t parallel_threshold = 512;
+
+/// body(i) for every i in [0, n); iterations must not depend on each other.
+template <class Body>
+void parallel_for(std::size_t n, Body&& body) {
+    const auto count = static_cast<std::int64_t>(n);
+#pragma omp parallel for schedule(static) if (n > parallel_threshold)
+    for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
+}
+
+/// The same for iterations of unequal cost: handed out in chunks of `chunk` as threads become free.
+template <class Body>
+void parallel_for_uneven(std::size_t n, std::size_t chunk, Body&& body) {
+    const auto count = static_cast<std::int64_t>(n);
+    const auto step = static_cast<std::int64_t>(chunk);
+#pragma omp parallel for schedule(dynamic, step) if (n > parallel_threshold)
+    for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
+}
+
+/// Σ f(i), added up in fixed blocks and then block by block: the same bits for any number of threads.
+/// T needs a zero default and +=.
+template <class T, class F>
+T ordered_sum(std::size_t n, F&& f) {
+    constexpr std::size_t block = 1024;
+    const std::size_t blocks = (n + block - 1) / block;
+    std::array<T, 64> on_stack{};  // 65,536 items without an allocation
+    std::vector<T> on_heap;
+    T* partial = on_stack.data();
+    if (blocks > on_stack.size()) {
+        on_heap.resize(blocks);
+        partial = on_heap.data();
+    }
+    parallel_for_uneven(blocks, 1, [&](std::size_t b) {
+        T s{};
+        for (std::size_t i = b * block; i < std::min(n, (b + 1) * block); ++i) s += f(i);
+        partial[b] = s;
+    });
+    T total{};
+    for (std::size_t b = 0; b < blocks; ++b) total += partial[b];
+    return total;
+}
+
+/// max f(i), at least 0. The order of a maximum does not matter; a NaN anywhere is returned as NaN.
+template <class F>
+double nonnegative_max(std::size_t n, F&& f) {
+    double largest = 0;
+    bool all_finite = true;
+    const auto count = static_cast<std::int64_t>(n);
+#pragma omp parallel for schedule(static) reduction(max : largest) reduction(&& : all_finite) if (n > parallel_threshold)
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double v = f(static_cast<std::size_t>(i));
+        all_finite = all_finite && (v - v == 0);
+        largest = std::max(largest, v);
+    }
+    return all_finite ? largest : __builtin_nan("");
+}
+
+}  // namespace sluice

@@ -1,0 +1,1 @@
+"""What the validation cases share: reading a run, measuring curves, verdicts, pictures, and starting runs."""
