@@ -1,5 +1,7 @@
 #include "kernels/fluid_passes.hpp"
 
+#include <algorithm>
+
 #include "kernels/pair_loop.hpp"
 #include "kernels/terms/artificial_viscosity.hpp"
 #include "kernels/terms/continuity.hpp"
@@ -27,6 +29,7 @@ std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const Neighbor
                               VectorField<Dim>& correction) {
     using Smoothing = DefaultSmoothing<Dim>;
     constexpr unsigned reads_i = column::velocity | column::density, reads_j = reads_i | column::mass;
+    for (ScalarField& column : correction.c) std::fill(column.begin(), column.end(), 0.0);
     return sum_pairs<Smoothing, reads_i, reads_j, Dim + 1, Real>(
         particles, particles, list,
         [](const auto& ij) {

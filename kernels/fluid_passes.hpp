@@ -28,7 +28,8 @@ template <int Dim, class Real>
 std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, ScalarField& density_rate);
 
 /// Velocity filter, eq. (16): correction_i = (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij, V_j = m_j/ρ̄_ij, the sum in
-/// the denominator with the particle itself. Overwrites the listed particles' corrections.
+/// the denominator with the particle itself, which must stand in its own list (group size above 1). Particles that are
+/// not listed get zero.
 template <int Dim, class Real>
 std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const NeighborList& list, double theta,
                               VectorField<Dim>& correction);

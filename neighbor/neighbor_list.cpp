@@ -102,13 +102,14 @@ void NeighborSearch<Dim>::search_group(const Job& job, std::span<const Index> gr
     double group_reach = 0;
     for (const Index i : group) group_reach = std::max(group_reach, reach.of_query(i));
     const std::size_t before = share.candidate.size();
-    const bool single = group.size() == 1;
+    const bool without_itself = same_set && group_size == 1;
+    const double group_cut = reach.skin + group_reach;
     for (const Cell<Dim>* near : share.near_cells)
         for (Index t = near->begin; t < near->end; ++t) {
             const Index j = target.grid.order()[t];
             const Vec<Dim> x = target.position[j];
-            const double cut = group_reach + reach.of_target(j) + reach.skin;
-            if (extent.distance2(x) >= cut * cut || (single && same_set && group[0] == j)) continue;
+            const double cut = group_cut + reach.of_target(j);
+            if (extent.distance2(x) >= cut * cut || (without_itself && group[0] == j)) continue;
             share.candidate.push_back(j);
             for (const Index i : group) {
                 const double support = reach.of_query(i) + reach.of_target(j);

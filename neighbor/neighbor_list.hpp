@@ -75,8 +75,8 @@ class NeighborSearch {
 
     /// Candidates in `target` for those particles of `query` whose index is below `owned`, in groups of at most
     /// group_size. Groups stand in the query grid's order, candidates in the target grid's, whatever the number of
-    /// threads. If both sets are the same object, a group's own particles are among its candidates if it has more than
-    /// one particle; a single one is not its own.
+    /// threads. If both sets are the same object, a group's own particles are among its candidates, so that every owned
+    /// particle is listed, one that has nobody else too; with a group size of 1 a particle is not its own.
     void build(const Set& query, std::size_t owned, const Set& target, const PairReach& reach, int group_size,
                NeighborList& list);
 

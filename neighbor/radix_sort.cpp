@@ -37,6 +37,7 @@ void RadixSorter::sort(Array<std::uint64_t>& keys, Array<Index>& values, int key
     value_buffer_.resize(n);
     const int threads = n > 8 * parallel_threshold ? omp_get_max_threads() : 1;
     for (int shift = 0; shift < key_bits; shift += digit_bits) {
+        const std::uint64_t mask = (std::uint64_t{1} << std::min(digit_bits, key_bits - shift)) - 1;
         offsets_.assign(static_cast<std::size_t>(threads) * digits, 0);
 #pragma omp parallel num_threads(threads) if (threads > 1)
         {
@@ -45,7 +46,7 @@ void RadixSorter::sort(Array<std::uint64_t>& keys, Array<Index>& values, int key
             for (int t = omp_get_thread_num(); t < threads; t += granted) {
                 std::uint32_t* count = &offsets_[static_cast<std::size_t>(t) * digits];
                 for (std::size_t i = share_begin(n, t, threads); i < share_begin(n, t + 1, threads); ++i)
-                    ++count[(keys[i] >> shift) & (digits - 1)];
+                    ++count[(keys[i] >> shift) & mask];
             }
 #pragma omp barrier
 #pragma omp single
@@ -53,7 +54,7 @@ void RadixSorter::sort(Array<std::uint64_t>& keys, Array<Index>& values, int key
             for (int t = omp_get_thread_num(); t < threads; t += granted) {
                 std::uint32_t* next = &offsets_[static_cast<std::size_t>(t) * digits];
                 for (std::size_t i = share_begin(n, t, threads); i < share_begin(n, t + 1, threads); ++i) {
-                    const std::uint32_t to = next[(keys[i] >> shift) & (digits - 1)]++;
+                    const std::uint32_t to = next[(keys[i] >> shift) & mask]++;
                     key_buffer_[to] = keys[i];
                     value_buffer_[to] = values[i];
                 }

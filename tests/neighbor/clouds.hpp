@@ -1,0 +1,88 @@
+// Sets of points for tests, the same in every run, and a number of threads that lasts for a scope.
+#pragma once
+
+#include <omp.h>
+
+#include <cstddef>
+#include <random>
+
+#include "neighbor/fields.hpp"
+
+namespace sluice {
+
+/// OpenMP's number of threads until the end of the scope.
+class ThreadScope {
+  public:
+    explicit ThreadScope(int threads) : before_(omp_get_max_threads()) { omp_set_num_threads(threads); }
+    ~ThreadScope() { omp_set_num_threads(before_); }
+    ThreadScope(const ThreadScope&) = delete;
+    ThreadScope& operator=(const ThreadScope&) = delete;
+
+  private:
+    int before_;
+};
+
+/// Uniform random numbers; a fixed generator, so that a failure can be repeated.
+class Random {
+  public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+    double in(double lo, double hi) {
+        // Not std::uniform_real_distribution: its result differs between standard libraries.
+        return lo + (hi - lo) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+    }
+    std::uint64_t bits() { return engine_(); }
+    template <int N>
+    Vec<N> vector(double lo, double hi) {
+        Vec<N> v;
+        for (int k = 0; k < N; ++k) v[k] = in(lo, hi);
+        return v;
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// n points, uniform in the box [0, side)^Dim.
+template <int Dim>
+VectorField<Dim> random_cloud(std::size_t n, double side, Random& random) {
+    VectorField<Dim> x;
+    for (std::size_t i = 0; i < n; ++i) x.push_back(random.vector<Dim>(0, side));
+    return x;
+}
+
+/// per_axis^Dim points i·d, as a packing makes them: with the ties at the cut-off that only a lattice has.
+template <int Dim>
+VectorField<Dim> lattice_points(int per_axis, double d) {
+    VectorField<Dim> x;
+    Vec<Dim> p;
+    for (int k = 0; k < (Dim == 3 ? per_axis : 1); ++k)
+        for (int j = 0; j < per_axis; ++j)
+            for (int i = 0; i < per_axis; ++i) {
+                p[0] = i * d;
+                p[1] = j * d;
+                if (Dim == 3) p[Dim - 1] = k * d;
+                x.push_back(p);
+            }
+    return x;
+}
+
+/// Dense heaps with a sparse haze between them.
+template <int Dim>
+VectorField<Dim> clustered_cloud(std::size_t n, double side, Random& random) {
+    VectorField<Dim> x;
+    Vec<Dim> centre;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (i % 50 == 0) centre = random.vector<Dim>(0, side);
+        x.push_back(i % 10 == 9 ? random.vector<Dim>(0, side) : centre + random.vector<Dim>(0, 0.02 * side));
+    }
+    return x;
+}
+
+/// Reaches in the ratio 1 : 4.
+inline ScalarField random_reach(std::size_t n, double smallest, Random& random) {
+    ScalarField h;
+    for (std::size_t i = 0; i < n; ++i) h.push_back(random.in(smallest, 4 * smallest));
+    return h;
+}
+
+}  // namespace sluice

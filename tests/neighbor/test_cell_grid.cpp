@@ -1,0 +1,172 @@
+// Cell grids: every particle in exactly one cell, found again, whatever the cloud.
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "neighbor/cell_grid.hpp"
+#include "neighbor/morton.hpp"
+#include "tests/catch.hpp"
+#include "tests/neighbor/clouds.hpp"
+
+using namespace sluice;
+
+namespace {
+
+/// What holds for every grid; the first broken rule by name, or "".
+template <int Dim>
+std::string broken_rule(const CellGrid<Dim>& grid, const VectorField<Dim>& x, std::size_t n, std::span<const double> reach = {}) {
+    if (grid.order().size() != n) return "order has n entries";
+    std::vector<int> seen(n, 0);
+    for (const Index i : grid.order()) {
+        if (i >= n || seen[i]++) return "order is a permutation";
+    }
+    Index next = 0;
+    double max_reach = 0;
+    std::uint64_t last_key = 0;
+    for (const auto& cell : grid.cells()) {
+        if (cell.begin != next || cell.end <= cell.begin) return "cells follow each other and none is empty";
+        next = cell.end;
+        const std::uint64_t key = morton_encode<Dim>(cell.coordinate);
+        if (&cell != &grid.cells()[0] && key <= last_key) return "keys ascend";
+        last_key = key;
+        double largest = 0;
+        for (Index t = cell.begin; t < cell.end; ++t) {
+            const Index i = grid.order()[t];
+            if (t > cell.begin && i <= grid.order()[t - 1]) return "indices ascend within a cell";
+            if (!reach.empty()) largest = std::max(largest, reach[i]);
+            for (int k = 0; k < Dim; ++k) {
+                // Coordinates are quotients: they are off by a few units in the last place of the extent.
+                const double c = (x[i][k] - grid.origin()[k]) / grid.cell_size();
+                const double lo = cell.coordinate[static_cast<std::size_t>(k)], slack = 1e-15 * (1 + c);
+                if (!(c >= lo - slack && c <= lo + 1 + slack)) return "a particle lies in its cell";
+            }
+        }
+        if (cell.reach != largest) return "a cell's reach is the largest of its particles";
+        max_reach = std::max(max_reach, largest);
+        std::array<std::int64_t, Dim> at;
+        std::copy(cell.coordinate.begin(), cell.coordinate.end(), at.begin());
+        if (grid.find(at) != &cell) return "find() finds every cell";
+    }
+    if (next != n) return "every particle is in a cell";
+    return grid.max_reach() == max_reach ? "" : "max_reach is the largest reach";
+}
+
+/// find() returns a cell exactly at the coordinates that the list of cells has, over a box with a margin.
+template <int Dim>
+bool finds_nothing_else(const CellGrid<Dim>& grid, std::int64_t per_axis) {
+    std::size_t found = 0;
+    for (std::int64_t z = Dim == 3 ? -2 : 0; z < (Dim == 3 ? per_axis : 1); ++z)
+        for (std::int64_t y = -2; y < per_axis; ++y)
+            for (std::int64_t x = -2; x < per_axis; ++x) {
+                std::array<std::int64_t, Dim> at{x, y};
+                if (Dim == 3) at[Dim - 1] = z;
+                const Cell<Dim>* cell = grid.find(at);
+                if (!cell) continue;
+                ++found;
+                if (!std::equal(at.begin(), at.end(), cell->coordinate.begin())) return false;
+            }
+    return found == grid.cells().size();
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("every particle stands in exactly one cell", "[cell_grid]", ((int Dim), Dim), 2, 3) {
+    CellGrid<Dim> grid;  // one for all: buffers and the hash table are reused
+    for (const int threads : {1, 2, 4}) {
+        const ThreadScope scope(threads);
+        Random random(2);
+        for (const std::size_t n : {1, 2, 37, 3000, 20000}) {
+            const auto x = random_cloud<Dim>(n, 1, random);
+            const auto h = random_reach(n, 0.01, random);
+            CAPTURE(threads, n);
+            grid.build(x, n, 0.05, h);
+            CHECK(broken_rule<Dim>(grid, x, n, h) == "");
+            CHECK(finds_nothing_else<Dim>(grid, 24));
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("a lattice whose points lie on the cells' edges", "[cell_grid]", ((int Dim), Dim), 2, 3) {
+    for (const double d : {0.1, 1.0 / 3, 0.005 / 6, 1e-9}) {
+        const auto x = lattice_points<Dim>(17, d);
+        CellGrid<Dim> grid;
+        CAPTURE(d);
+        for (const double cells : {0.5, 1.0, 2.0, 3.0}) {
+            grid.build(x, x.size(), cells * d);
+            CHECK(broken_rule<Dim>(grid, x, x.size()) == "");
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("only the first n positions count", "[cell_grid]", ((int Dim), Dim), 2, 3) {
+    Random random(3);
+    auto x = random_cloud<Dim>(200, 1, random);
+    x.set(150, random.vector<Dim>(1e30, 2e30));
+    CellGrid<Dim> grid;
+    grid.build(x, 150, 0.1);
+    CHECK(broken_rule<Dim>(grid, x, 150) == "");
+    CHECK(grid.max_reach() == 0);
+}
+
+TEMPLATE_TEST_CASE_SIG("a particle far away costs nothing", "[cell_grid]", ((int Dim), Dim), 2, 3) {
+    Random random(4);
+    auto x = random_cloud<Dim>(1000, 1, random);
+    Vec<Dim> away;
+    away[0] = 1e6;  // [m]
+    x.set(500, away);
+    x.set(501, -1.0 * away);
+    CellGrid<Dim> grid;
+    // The key has 32 bits per axis in the plane, 21 in space.
+    const double cell = Dim == 2 ? 0.01 : 1.0;
+    grid.build(x, x.size(), cell);
+    CHECK(broken_rule<Dim>(grid, x, x.size()) == "");
+    CHECK(grid.cells().size() <= 1000);
+    CHECK(grid.find(std::array<std::int64_t, Dim>{1}) == nullptr);  // between the first and the crowd
+}
+
+TEMPLATE_TEST_CASE_SIG("an extent that no key can number is refused", "[cell_grid]", ((int Dim), Dim), 2, 3) {
+    VectorField<Dim> x;
+    x.push_back({});
+    CellGrid<Dim> grid;
+    const double limit = std::ldexp(1.0, morton_bits<Dim>);
+    for (const double far : {limit, 1e30, std::numeric_limits<double>::infinity()}) {
+        Vec<Dim> away;
+        away[Dim - 1] = far;
+        x.resize(1);
+        x.push_back(away);
+        CAPTURE(far);
+        CHECK_THROWS_AS(grid.build(x, 2, 1.0), std::length_error);
+    }
+    Vec<Dim> last;
+    last[Dim - 1] = limit - 2;
+    x.set(1, last);
+    grid.build(x, 2, 1.0);
+    CHECK(broken_rule<Dim>(grid, x, 2) == "");
+}
+
+TEMPLATE_TEST_CASE_SIG("all particles at one point share one cell", "[cell_grid]", ((int Dim), Dim), 2, 3) {
+    VectorField<Dim> x;
+    for (int i = 0; i < 5000; ++i) x.push_back(Random(9).vector<Dim>(-3, 3));
+    CellGrid<Dim> grid;
+    grid.build(x, x.size(), 0.1);
+    CHECK(broken_rule<Dim>(grid, x, x.size()) == "");
+    CHECK(grid.cells().size() == 1);
+    CHECK(finds_nothing_else<Dim>(grid, 3));
+}
+
+TEMPLATE_TEST_CASE_SIG("a grid of nothing, also after one of something", "[cell_grid]", ((int Dim), Dim), 2, 3) {
+    CellGrid<Dim> grid;
+    const VectorField<Dim> none;
+    grid.build(none, 0, 0.1);
+    CHECK(grid.cells().empty());
+    CHECK(grid.find(std::array<std::int64_t, Dim>{}) == nullptr);
+    Random random(5);
+    const auto x = random_cloud<Dim>(100, 1, random);
+    const auto h = random_reach(100, 0.1, random);
+    grid.build(x, x.size(), 0.1, h);
+    grid.build(none, 0, 0.1);
+    CHECK(grid.order().empty());
+    CHECK(grid.cells().empty());
+    CHECK(grid.max_reach() == 0);
+    CHECK(grid.find(std::array<std::int64_t, Dim>{}) == nullptr);
+}
