@@ -30,6 +30,18 @@
 namespace sluice {
 namespace {  // the compiler's clones must not be merged with those of another file
 
+/// Σ of a multiple of lane_multiple numbers: lane by lane, then as a tree.
+template <class Real>
+[[gnu::always_inline]] inline Real sum_of_lanes(const Real* values, int lanes) {
+    constexpr int width = lane_multiple<Real>;
+    Real part[width] = {};
+    for (int l = 0; l < lanes; l += width)
+        for (int k = 0; k < width; ++k) part[k] += values[l + k];
+    for (int half = width / 2; half > 0; half /= 2)
+        for (int k = 0; k < half; ++k) part[k] += part[k + half];
+    return part[0];
+}
+
 /// Adds map(pair) → Out[] over the tile's lanes to sums[]. EqualH: the whole tile and i have one smoothing length.
 template <bool EqualH, class Smoothing, int Outputs, int Dim, class Real, unsigned ReadsI, unsigned ReadsJ, class Map>
 [[gnu::always_inline]] inline void sum_over_lanes(const Self<Dim, Real, ReadsI>& self,
@@ -39,7 +51,7 @@ template <bool EqualH, class Smoothing, int Outputs, int Dim, class Real, unsign
     const Real self_inverse_h = Real(1) / self.smoothing_length;
     const Real self_scale = kernel_scale<Smoothing, Dim>(self_inverse_h);
     SLUICE_INDEPENDENT_ITERATIONS
-    for (int l = 0; l < (lanes & -lane_multiple); ++l) {
+    for (int l = 0; l < (lanes & -lane_multiple<Real>); ++l) {
         Vec<Dim, Real> x_ij;
         unroll<Dim>([&](int k) { x_ij[k] = self.position[k] - tile.position[k][l]; });
         const Real h = EqualH ? self.smoothing_length : Real(0.5) * (self.smoothing_length + tile.smoothing_length[l]);
@@ -50,12 +62,7 @@ template <bool EqualH, class Smoothing, int Outputs, int Dim, class Real, unsign
         const Vec<Outputs, Real> value = map(pair);
         unroll<Outputs>([&](int k) { out[k][l] = value[k]; });
     }
-    for (int k = 0; k < Outputs; ++k) {
-        Real sum = 0;
-#pragma omp simd reduction(+ : sum)
-        for (int l = 0; l < (lanes & -lane_multiple); ++l) sum += out[k][l];
-        sums[k] += static_cast<double>(sum);
-    }
+    for (int k = 0; k < Outputs; ++k) sums[k] += static_cast<double>(sum_of_lanes(out[k], lanes));
 }
 
 /// One group: store(i, sums) for each of its particles.

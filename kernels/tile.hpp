@@ -17,7 +17,8 @@ inline constexpr unsigned velocity = 1, mass = 2, volume = 4, density = 8, press
 /// Lanes of a tile: few enough that all columns of the widest pass stay in the first-level cache.
 inline constexpr int tile_capacity = 128;
 /// Tiles are filled up to a multiple of this, the lanes of the widest vectors, so that no loop has a remainder.
-inline constexpr int lane_multiple = 16;
+template <class Real>
+inline constexpr int lane_multiple = 64 / static_cast<int>(sizeof(Real));
 
 /// i's own values.
 template <int Dim, class Real, unsigned Reads>
@@ -44,7 +45,7 @@ struct Self {
 /// accurate far from the scene's origin.
 template <int Dim, class Real, unsigned Reads>
 struct alignas(64) Tile {
-    static constexpr int lanes_if(unsigned c) { return Reads & c ? tile_capacity : lane_multiple; }
+    static constexpr int lanes_if(unsigned c) { return Reads & c ? tile_capacity : lane_multiple<Real>; }
 
     alignas(64) Real position[Dim][tile_capacity];
     alignas(64) Real smoothing_length[tile_capacity];
@@ -73,8 +74,9 @@ struct alignas(64) Tile {
             fill(position[k], candidates, [&, column = b.position[static_cast<std::size_t>(k)]](Index j) { return column[j] - origin[k]; });
         fill(smoothing_length, candidates, [&](Index j) { return b.smoothing_length[j]; });
         const Real h = smoothing_length[0];
-        equal_h = true;
-        for (int l = 1; l < n; ++l) equal_h = equal_h && smoothing_length[l] == h;
+        int different = 0;
+        for (int l = 0; l < n; ++l) different += smoothing_length[l] != h;
+        equal_h = different == 0;
         if constexpr (Reads & column::velocity) fill_tuple(velocity, candidates, b.velocity);
         if constexpr (Reads & column::mass) fill_scalar(mass, candidates, b.mass);
         if constexpr (Reads & column::volume) fill_scalar(volume, candidates, b.volume);
@@ -103,7 +105,7 @@ struct alignas(64) Tile {
     /// Copies of the first partner, moved out of every support and without mass or volume: every term is zero there,
     /// and finite.
     int pad(int n) {
-        const int padded = (n + lane_multiple - 1) & -lane_multiple;
+        const int padded = (n + lane_multiple<Real> - 1) & -lane_multiple<Real>;
         const auto repeat = [&](Real* lanes) { for (int l = n; l < padded; ++l) lanes[l] = lanes[0]; };
         repeat(smoothing_length);
         for (int l = n; l < padded; ++l) position[0][l] = position[0][0] + far * smoothing_length[0];

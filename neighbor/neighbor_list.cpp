@@ -42,6 +42,36 @@ struct Extent {
     }
 };
 
+/// A group's positions and reaches in a fixed number of lanes, for counting pairs without a branch.
+template <int Dim>
+class GroupMembers {
+  public:
+    GroupMembers(const VectorField<Dim>& position, std::span<const Index> group, const PairReach& reach) {
+        for (std::size_t m = 0; m < max_group_size; ++m) {
+            const bool there = m < group.size();
+            for (std::size_t k = 0; k < Dim; ++k) x_[k][m] = there ? position.c[k][group[m]] : nowhere;
+            reach_[m] = there ? reach.of_query(group[m]) : 0;
+        }
+    }
+    double largest_reach() const { return *std::max_element(reach_, reach_ + max_group_size); }
+    /// How many members are closer to x than their reach and this one's.
+    int within_support(const Vec<Dim>& x, double reach) const {
+        int count = 0;
+        for (int m = 0; m < max_group_size; ++m) {
+            double d2 = 0;
+            unroll<Dim>([&](int k) { d2 += (x_[k][m] - x[k]) * (x_[k][m] - x[k]); });
+            const double support = reach_[m] + reach;
+            count += d2 < support * support;
+        }
+        return count;
+    }
+
+  private:
+    static constexpr double nowhere = 1e200;
+    double x_[Dim][max_group_size];
+    double reach_[max_group_size];
+};
+
 /// Lower bound for the squared distance between a box [lo, hi] and a cell of the grid.
 template <int Dim>
 double box_distance2(const Vec<Dim>& lo, const Vec<Dim>& hi, const CellGrid<Dim>& grid,
@@ -98,25 +128,23 @@ template <int Dim>
 void NeighborSearch<Dim>::search_group(const Job& job, std::span<const Index> group, Share& share) {
     const auto& [query, owned, target, reach, group_size] = job;
     const bool same_set = &query.position == &target.position;
-    const Extent<Dim> extent(query.position, group);
-    double group_reach = 0;
-    for (const Index i : group) group_reach = std::max(group_reach, reach.of_query(i));
-    const std::size_t before = share.candidate.size();
     const bool without_itself = same_set && group_size == 1;
-    const double group_cut = reach.skin + group_reach;
+    const GroupMembers<Dim> members(query.position, group, reach);
+    const double group_cut = reach.skin + members.largest_reach();
+    const Extent<Dim> extent(query.position, group);
+    const std::size_t before = share.candidate.size();
+    std::uint64_t pairs = 0;
     for (const Cell<Dim>* near : share.near_cells)
         for (Index t = near->begin; t < near->end; ++t) {
             const Index j = target.grid.order()[t];
             const Vec<Dim> x = target.position[j];
-            const double cut = group_cut + reach.of_target(j);
+            const double reach_j = reach.of_target(j), cut = group_cut + reach_j;
             if (extent.distance2(x) >= cut * cut || (without_itself && group[0] == j)) continue;
             share.candidate.push_back(j);
-            for (const Index i : group) {
-                const double support = reach.of_query(i) + reach.of_target(j);
-                share.pairs += norm2(query.position[i] - x) < support * support && !(same_set && i == j);
-            }
+            pairs += static_cast<std::uint64_t>(members.within_support(x, reach_j));
         }
     if (share.candidate.size() == before) return;
+    share.pairs += pairs - (same_set && !without_itself ? group.size() : 0);  // each found itself
     share.candidate_count.push_back(static_cast<Index>(share.candidate.size() - before));
     share.query.insert(share.query.end(), group.begin(), group.end());
     share.query_count.push_back(static_cast<Index>(group.size()));
@@ -135,14 +163,15 @@ void NeighborSearch<Dim>::search_cells(const Job& job, Share& share) {
         find_near_cells<Dim>(extent.lo, extent.hi, job.reach.query_scale * cell.reach + job.reach.skin, job.target.grid,
                              job.reach.target_scale, share.near_cells);
         if (share.near_cells.empty()) continue;
-        std::array<Index, max_group_size> group;
-        std::size_t size = 0;
-        for (std::size_t m = 0; m < members.size(); ++m) {
-            if (members[m] < job.owned) group[size++] = members[m];
-            if (size == static_cast<std::size_t>(job.group_size) || (m + 1 == members.size() && size > 0)) {
-                search_group(job, {group.data(), size}, share);
-                size = 0;
-            }
+        // Groups of nearly equal size: eleven particles as six and five lie closer together than as eight and three.
+        share.members.clear();
+        for (const Index i : members)
+            if (i < job.owned) share.members.push_back(i);
+        const std::size_t n = share.members.size(), size = static_cast<std::size_t>(job.group_size);
+        const std::size_t groups = (n + size - 1) / size;
+        for (std::size_t g = 0; g < groups; ++g) {
+            const std::size_t begin = n * g / groups, end = n * (g + 1) / groups;
+            search_group(job, {share.members.data() + begin, end - begin}, share);
         }
     }
 }

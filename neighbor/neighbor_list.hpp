@@ -85,6 +85,7 @@ class NeighborSearch {
     struct Share {
         std::size_t first_cell = 0, last_cell = 0;
         Array<Index> query, query_count, candidate, candidate_count;
+        Array<Index> members;  ///< owned particles of the cell in hand
         std::uint64_t pairs = 0;
         Array<const Cell<Dim>*> near_cells;
     };
