@@ -17,8 +17,8 @@ template <class Real>
 inline constexpr double twin_tolerance = sizeof(Real) == 8 ? 1e-12 : 1e-4;
 
 /// Σ|term| of each particle, all components together (a component that happens to be small is no more accurate than the
-/// vector), but no less than a hundredth of the mean: a particle whose only partners stand at the edge of the support has
-/// a sum of next to nothing, (2 − q)² of a rounded q.
+/// vector), but no less than a hundredth of the mean: a particle whose only partners stand at the edge of the support
+/// has a sum of next to nothing, (2 − q)² of a rounded q.
 template <int N>
 std::vector<double> error_scale(const twin::Sums<N>& sums) {
     std::vector<double> scale;

@@ -63,7 +63,7 @@ struct Particles {
 template <int Dim>
 struct LatticeBox {
     std::array<int, Dim> lo, hi;
-    double d = 0.1;         ///< spacing [m]
+    double d = 0.1;  ///< spacing [m]
     double h_over_d = 1.5;
     double density = 1000;  ///< [kg/m³]
 };
@@ -100,7 +100,8 @@ Particles<Dim> lattice(const LatticeBox<Dim>& box) {
 /// Moves every particle by up to ±amplitude along each axis.
 template <int Dim>
 void jitter(Particles<Dim>& p, double amplitude, Random& random) {
-    for (std::size_t i = 0; i < p.size(); ++i) p.position.set(i, p.position[i] + random.vector<Dim>(-amplitude, amplitude));
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p.position.set(i, p.position[i] + random.vector<Dim>(-amplitude, amplitude));
 }
 
 /// Random velocity, density, mass, pressure, stress and R; negative pressures and tension among them.

@@ -16,7 +16,8 @@ std::vector<std::size_t> interior(const Particles<Dim>& p, double side) {
     std::vector<std::size_t> inside;
     for (std::size_t i = 0; i < p.size(); ++i) {
         bool deep = true;
-        for (int k = 0; k < Dim; ++k) deep = deep && p.position[i][k] > 2 * p.h[i] && p.position[i][k] < side - 2 * p.h[i];
+        for (int k = 0; k < Dim; ++k)
+            deep = deep && p.position[i][k] > 2 * p.h[i] && p.position[i][k] < side - 2 * p.h[i];
         if (deep) inside.push_back(i);
     }
     REQUIRE_FALSE(inside.empty());
@@ -77,16 +78,18 @@ double lattice_factor(double h_over_d) {
 TEMPLATE_TEST_CASE_SIG("the lattice's factor on linear fields is near one", "[accuracy]", ((int Dim), Dim), 2, 3) {
     for (const double h_over_d : {1.2, 1.3, 1.5, 1.8, 2.0}) {
         CAPTURE(h_over_d);
-        // The kernel's own error on a lattice: it oscillates with h/d and decays with (d/h)³.
-        CHECK(lattice_factor<Dim>(h_over_d) == Approx(1).margin(h_over_d < 1.5 ? 0.05 : 0.02));
+        // The kernel's own error on a lattice: it oscillates with h/d and decays. It is worst in space at 1.2: 0.982.
+        CHECK(lattice_factor<Dim>(h_over_d) == Approx(1).margin(0.02));
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("a linear pressure accelerates by its gradient over the density", "[accuracy]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a linear pressure accelerates by its gradient over the density", "[accuracy]", ((int Dim), Dim),
+                       2, 3) {
     for (const double h_over_d : {1.2, 1.5, 2.0}) {
         const int n = Dim == 2 ? 20 : 11;
         auto p = lattice(cube<Dim>(n, 0.1, h_over_d));
-        for (std::size_t i = 0; i < p.size(); ++i) p.pressure[i] = 4000 - 9810 * p.position[i][1] + 500 * p.position[i][0];
+        for (std::size_t i = 0; i < p.size(); ++i)
+            p.pressure[i] = 4000 - 9810 * p.position[i][1] + 500 * p.position[i][0];
         p.derive();
         auto a = zeros<Dim>(p.size());
         fluid_momentum<Dim, double>(p.view(), list_of(p), {}, a);
@@ -100,7 +103,8 @@ TEMPLATE_TEST_CASE_SIG("a linear pressure accelerates by its gradient over the d
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("a linear velocity changes the density by its divergence", "[accuracy]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a linear velocity changes the density by its divergence", "[accuracy]", ((int Dim), Dim), 2,
+                       3) {
     for (const double h_over_d : {1.2, 1.5, 2.0}) {
         const int n = Dim == 2 ? 20 : 11;
         auto p = lattice(cube<Dim>(n, 0.1, h_over_d));
@@ -111,14 +115,15 @@ TEMPLATE_TEST_CASE_SIG("a linear velocity changes the density by its divergence"
         gradients(p, &solid);
         const double expected = -1000 * l.trace() * lattice_factor<Dim>(h_over_d);
         double worst = 0;
-        for (const std::size_t i : interior(p, 0.1 * n)) worst = std::max({worst, std::abs(fluid[i] - expected), std::abs(solid[i] - expected)});
+        for (const std::size_t i : interior(p, 0.1 * n))
+            worst = std::max({worst, std::abs(fluid[i] - expected), std::abs(solid[i] - expected)});
         CAPTURE(h_over_d);
         CHECK(worst < 1e-11 * 1000 * l.norm());  // velocities of some 10 m/s against differences of 0.1: 1e-13
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("the consistent gradient is exact for any linear field, disorder and free surface included", "[accuracy]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the consistent gradient is exact for any linear field, disorder and free surface included",
+                       "[accuracy]", ((int Dim), Dim), 2, 3) {
     Random random(2);
     for (const double h_over_d : {1.3, 1.5, 2.0}) {
         auto p = lattice(cube<Dim>(Dim == 2 ? 16 : 8, 0.1, h_over_d));  // its faces and corners are free
@@ -137,7 +142,8 @@ TEMPLATE_TEST_CASE_SIG("the consistent gradient is exact for any linear field, d
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("the consistent gradient of a linear field in single precision", "[accuracy]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the consistent gradient of a linear field in single precision", "[accuracy]", ((int Dim), Dim),
+                       2, 3) {
     auto p = lattice(cube<Dim>(Dim == 2 ? 16 : 8, 0.1, 1.5));
     const Tensor<Dim> l = some_gradient<Dim>();
     set_linear<Dim>(p, l);
@@ -150,8 +156,8 @@ TEMPLATE_TEST_CASE_SIG("the consistent gradient of a linear field in single prec
     CHECK(worst < 1e-4 * l.norm());
 }
 
-TEMPLATE_TEST_CASE_SIG("the consistent gradient of a quadratic field is exact on a lattice and second order for a wave", "[accuracy]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the consistent gradient of a quadratic field is exact on a lattice and second order for a wave",
+                       "[accuracy]", ((int Dim), Dim), 2, 3) {
     double last = 0;
     for (const int n : {16, 32}) {
         if (Dim == 3 && n == 32) continue;
@@ -189,7 +195,8 @@ TEMPLATE_TEST_CASE_SIG("the consistent gradient of a quadratic field is exact on
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("at a free surface the consistent gradient of a quadratic field is first order", "[accuracy]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("at a free surface the consistent gradient of a quadratic field is first order", "[accuracy]",
+                       ((int Dim), Dim), 2, 3) {
     double last = 0;
     for (const int n : Dim == 2 ? std::vector{16, 32, 64} : std::vector{10, 20}) {
         const double d = 1.6 / n;
@@ -203,7 +210,8 @@ TEMPLATE_TEST_CASE_SIG("at a free surface the consistent gradient of a quadratic
         double worst = 0;
         for (std::size_t i = 0; i < p.size(); ++i) worst = std::max(worst, std::abs(l[i][1] - 2 * p.position[i][1]));
         CAPTURE(n, worst);
-        if (last > 0) CHECK(last / worst == Approx(2).epsilon(1e-6));  // the same stencil, scaled; M's condition times rounding
+        if (last > 0)
+            CHECK(last / worst == Approx(2).epsilon(1e-6));  // the same stencil, scaled; M's condition times rounding
         last = worst;
     }
 }

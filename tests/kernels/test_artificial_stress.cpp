@@ -21,7 +21,9 @@ Tensor<Dim> by_eigenvalues(const Tensor<Dim>& s, double e) {
         // The projector on a principal direction is a product over the others, (σ − σ_l I)/(σ_k − σ_l).
         Tensor<Dim> projector = Tensor<Dim>::Identity();
         for (int l = 0; l < Dim; ++l)
-            if (l != k) projector = projector * (s - solver.eigenvalues()[l] * Tensor<Dim>::Identity()) / (value - solver.eigenvalues()[l]);
+            if (l != k)
+                projector = projector * (s - solver.eigenvalues()[l] * Tensor<Dim>::Identity()) /
+                            (value - solver.eigenvalues()[l]);
         r -= e * value * projector;
     }
     return r;
@@ -42,7 +44,9 @@ Tensor<Dim> random_rotation(Random& random) {
     if constexpr (Dim == 2)
         return Eigen::Rotation2Dd(random.in(0, 7)).toRotationMatrix();
     else
-        return Eigen::AngleAxisd(random.in(0, 7), Eigen::Vector3d(random.in(-1, 1), random.in(-1, 1), random.in(0.1, 1)).normalized()).toRotationMatrix();
+        return Eigen::AngleAxisd(random.in(0, 7),
+                                 Eigen::Vector3d(random.in(-1, 1), random.in(-1, 1), random.in(0.1, 1)).normalized())
+            .toRotationMatrix();
 }
 
 /// What the pair term reads, with a tensor that lets f^q through.
@@ -59,7 +63,8 @@ struct UnitPair {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("the correction is −e times the tensile part of the stress", "[artificial_stress]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the correction is −e times the tensile part of the stress", "[artificial_stress]",
+                       ((int Dim), Dim), 2, 3) {
     Random random(1);
     double worst = 0;
     int mixed = 0;
@@ -86,7 +91,8 @@ TEMPLATE_TEST_CASE_SIG("compression is left alone", "[artificial_stress]", ((int
     CHECK(corrected<Dim>(Tensor<Dim>::Zero(), 0.3) == Tensor<Dim>::Zero());
 }
 
-TEMPLATE_TEST_CASE_SIG("isotropic tension gives an isotropic correction", "[artificial_stress]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("isotropic tension gives an isotropic correction", "[artificial_stress]", ((int Dim), Dim), 2,
+                       3) {
     const Tensor<Dim> s = 5 * Tensor<Dim>::Identity();
     CHECK((corrected<Dim>(s, 0.3) + 1.5 * Tensor<Dim>::Identity()).norm() < 1e-15);  // one product
     CHECK(corrected<Dim>(-s, 0.3) == Tensor<Dim>::Zero());
@@ -96,7 +102,8 @@ TEMPLATE_TEST_CASE_SIG("isotropic tension gives an isotropic correction", "[arti
     CHECK((corrected<Dim>(nearly, 0.3) + 1.5 * Tensor<Dim>::Identity()).norm() < 1e-14);
 }
 
-TEMPLATE_TEST_CASE_SIG("uniaxial stress is corrected along its axis only", "[artificial_stress]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("uniaxial stress is corrected along its axis only", "[artificial_stress]", ((int Dim), Dim), 2,
+                       3) {
     for (const double sigma : {2.0, -2.0})
         for (int axis = 0; axis < Dim; ++axis) {
             Tensor<Dim> s = Tensor<Dim>::Zero(), expected = Tensor<Dim>::Zero();

@@ -38,8 +38,8 @@ constexpr double pair_rounding = sizeof(Real) == 8 ? 1e-12 : 1e-5;
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("every pair term of the fluid keeps momentum", "[conservation]", ((int Dim, class Real), Dim, Real), (2, double),
-                       (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("every pair term of the fluid keeps momentum", "[conservation]",
+                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes)
         for (const double alpha : {0.0, 0.5}) {
             const auto p = make_scene<Dim>(scene, 2);
@@ -50,8 +50,8 @@ TEMPLATE_TEST_CASE_SIG("every pair term of the fluid keeps momentum", "[conserva
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("every pair term of the solid keeps momentum", "[conservation]", ((int Dim, class Real), Dim, Real), (2, double),
-                       (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("every pair term of the solid keeps momentum", "[conservation]",
+                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes)
         for (const double alpha : {0.0, 1.0})
             for (const double e : {0.0, 0.3}) {
@@ -63,8 +63,8 @@ TEMPLATE_TEST_CASE_SIG("every pair term of the solid keeps momentum", "[conserva
             }
 }
 
-TEMPLATE_TEST_CASE_SIG("pressure and viscosity act along the line between two particles and keep angular momentum", "[conservation]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("pressure and viscosity act along the line between two particles and keep angular momentum",
+                       "[conservation]", ((int Dim), Dim), 2, 3) {
     for (const Scene scene : scenes)
         for (const double alpha : {0.0, 0.5}) {
             const auto p = make_scene<Dim>(scene, 4);
@@ -76,7 +76,8 @@ TEMPLATE_TEST_CASE_SIG("pressure and viscosity act along the line between two pa
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("the power of the pressure is what compression takes up", "[conservation]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the power of the pressure is what compression takes up", "[conservation]", ((int Dim), Dim), 2,
+                       3) {
     // Σ m v·a = −Σ m p/ρ² dρ/dt: eqs. (8) and (10) are one variational pair, for unequal m and h too.
     for (const Scene scene : scenes) {
         const auto p = make_scene<Dim>(scene, 5);
@@ -97,8 +98,8 @@ TEMPLATE_TEST_CASE_SIG("the power of the pressure is what compression takes up",
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("a uniform velocity changes no density and is not filtered", "[conservation]", ((int Dim, class Real), Dim, Real),
-                       (2, double), (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("a uniform velocity changes no density and is not filtered", "[conservation]",
+                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes) {
         auto p = make_scene<Dim>(scene, 6);
         for (int k = 0; k < Dim; ++k) {
@@ -121,8 +122,7 @@ TEMPLATE_TEST_CASE_SIG("a uniform velocity changes no density and is not filtere
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("the filter never widens the range of velocities", "[conservation]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the filter never widens the range of velocities", "[conservation]", ((int Dim), Dim), 2, 3) {
     // ṽ is a mean of the neighbours' velocities with weights that are positive and add up to one.
     const auto p = make_scene<Dim>(Scene::unequal, 7);
     auto correction = zeros<Dim>(p.size());

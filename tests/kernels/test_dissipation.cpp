@@ -27,8 +27,8 @@ double power(const Particles<Dim>& p, const VectorField<Dim>& a) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("viscosity does nothing to particles that part", "[dissipation]", ((int Dim, class Real), Dim, Real), (2, double),
-                       (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("viscosity does nothing to particles that part", "[dissipation]",
+                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
     for (const Scene scene : {Scene::lattice, Scene::jittered, Scene::unequal}) {
         auto p = make_scene<Dim>(scene);
         for (std::size_t i = 0; i < p.size(); ++i) p.velocity.set(i, 3.0 * p.position[i]);
@@ -47,7 +47,8 @@ TEMPLATE_TEST_CASE_SIG("viscosity takes kinetic energy, for random velocities an
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("two particles: viscosity brakes the approach, along the line only", "[dissipation]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("two particles: viscosity brakes the approach, along the line only", "[dissipation]",
+                       ((int Dim), Dim), 2, 3) {
     Particles<Dim> p;
     Vec<Dim> x, v;
     x[0] = 0.1;
@@ -81,7 +82,8 @@ TEMPLATE_TEST_CASE_SIG("the fluid's filter takes kinetic energy", "[dissipation]
     CHECK(after / before == Approx(1 - 2 * 0.08).margin(0.04));
 }
 
-TEMPLATE_TEST_CASE_SIG("artificial stress pushes apart what is in tension and spares what is not", "[dissipation]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("artificial stress pushes apart what is in tension and spares what is not", "[dissipation]",
+                       ((int Dim), Dim), 2, 3) {
     for (const double sigma : {1e5, -1e5}) {
         Particles<Dim> p;
         Vec<Dim> x;

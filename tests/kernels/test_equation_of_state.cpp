@@ -11,7 +11,8 @@ TEST_CASE("pressure and density invert each other", "[equation_of_state]") {
         for (const double p : {-2e4, -1.0, 1e-3, 1400.0, 1e6}) {
             CAPTURE(eos.density, p);
             // ρ carries a rounding of ρ0 eps, which c0² magnifies: 1000 · 1.1e-16 · c0².
-            const double rounding = 2.3e-16 * (eos.density + std::abs(p) / (eos.sound_speed * eos.sound_speed)) * eos.sound_speed * eos.sound_speed;
+            const double rounding = 2.3e-16 * (eos.density + std::abs(p) / (eos.sound_speed * eos.sound_speed)) *
+                                    eos.sound_speed * eos.sound_speed;
             CHECK(eos.pressure(eos.density_at(p)) == Approx(p).margin(2 * rounding).epsilon(1e-15));
         }
     }
@@ -28,7 +29,9 @@ TEST_CASE("the energy's derivative is p over rho squared", "[equation_of_state]"
     CHECK(eos.energy(eos.density) == 0);
     for (const double rho : {700.0, 950.0, 999.0, 1001.0, 1020.0, 1500.0}) {
         const double step = 1e-3 * rho;
-        const double slope = (eos.energy(rho - 2 * step) - 8 * eos.energy(rho - step) + 8 * eos.energy(rho + step) - eos.energy(rho + 2 * step)) / (12 * step);
+        const double slope = (eos.energy(rho - 2 * step) - 8 * eos.energy(rho - step) + 8 * eos.energy(rho + step) -
+                              eos.energy(rho + 2 * step)) /
+                             (12 * step);
         CAPTURE(rho);
         // Fourth-order differences: e⁽⁵⁾ step⁴/30 ≈ c0²/ρ · 24 · 1e-12/30, and rounding of c0² 1e-16/step ≈ 1e-13.
         CHECK(slope == Approx(eos.pressure(rho) / (rho * rho)).margin(30 * 30 / rho * 1e-11 + 1e-12));

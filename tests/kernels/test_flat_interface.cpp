@@ -1,5 +1,5 @@
-// A flat interface under a static pressure: equations 24–28 where the answer is known, p on every element and p·A on the
-// wall, whatever the spacing of the elements.
+// A flat interface under a static pressure: equations 24–28 where the answer is known, p on every element and p·A on
+// the wall, whatever the spacing of the elements.
 #include <map>
 
 #include "kernels/interface_passes.hpp"
@@ -11,11 +11,11 @@ using namespace sluice;
 
 namespace {
 
-constexpr double spacing = 0.1;   // [m]
-constexpr double load = 1400;     // [Pa], a column of 0.14 m of water
+constexpr double spacing = 0.1;  // [m]
+constexpr double load = 1400;    // [Pa], a column of 0.14 m of water
 
-/// Solid below the plane y = 0, fluid above it at one pressure, elements on it, spacing/divisor apart. Elements stand well
-/// inside the blocks' faces, so that every one has full half-supports.
+/// Solid below the plane y = 0, fluid above it at one pressure, elements on it, spacing/divisor apart. Elements stand
+/// well inside the blocks' faces, so that every one has full half-supports.
 template <int Dim>
 struct FlatInterface {
     Particles<Dim> solid, fluid;
@@ -49,12 +49,15 @@ struct FlatInterface {
                 area += n[1];
             }
     }
-    InterfaceResult<Dim> evaluate() { return evaluate_interface<Dim, double>(elements, fluid, solid, {elements, fluid, solid}); }
+    InterfaceResult<Dim> evaluate() {
+        return evaluate_interface<Dim, double>(elements, fluid, solid, {elements, fluid, solid});
+    }
 };
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("a static pressure p loads every element with p and the wall with p A", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a static pressure p loads every element with p and the wall with p A", "[interface]",
+                       ((int Dim), Dim), 2, 3) {
     for (const double h_over_d : {1.2, 1.3, 1.5, 1.7, 2.0})
         for (const int divisor : {1, 2, 4})
             for (const double shift : {0.5, 0.0}) {  // under the particles' columns or between them
@@ -71,14 +74,16 @@ TEMPLATE_TEST_CASE_SIG("a static pressure p loads every element with p and the w
             }
 }
 
-TEMPLATE_TEST_CASE_SIG("the wall's load reaches the solid's layers as the integral of W does", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the wall's load reaches the solid's layers as the integral of W does", "[interface]",
+                       ((int Dim), Dim), 2, 3) {
     // −2 n p ∫_Γ W dΓ per volume: by layers of depth s the share is V_a W/Σ V W, whose limit is 2 d ∫_Γ W(s) dΓ.
     const double h_over_d = 1.5, h = h_over_d * spacing;
     FlatInterface<Dim> s(h_over_d, 4, 0.5);
     const auto r = s.evaluate();
     std::map<int, double> by_layer;
     for (std::size_t a = 0; a < s.solid.size(); ++a)
-        by_layer[static_cast<int>(std::floor(-s.solid.position[a][1] / spacing))] += s.solid.mass[a] * r.solid_acceleration[a][1];
+        by_layer[static_cast<int>(std::floor(-s.solid.position[a][1] / spacing))] +=
+            s.solid.mass[a] * r.solid_acceleration[a][1];
     double total = 0;
     for (const auto& [layer, force] : by_layer) {
         const double depth = (layer + 0.5) * spacing;
@@ -89,7 +94,8 @@ TEMPLATE_TEST_CASE_SIG("the wall's load reaches the solid's layers as the integr
             integral += ring * twin::w(Dim, std::hypot(depth, t), h) * 2 * h / steps;
         }
         CAPTURE(layer);
-        CHECK(-force / (load * s.area) == Approx(2 * spacing * integral).margin(0.01));  // the lattice's error, as above
+        CHECK(-force / (load * s.area) ==
+              Approx(2 * spacing * integral).margin(0.01));  // the lattice's error, as above
         total -= force / (load * s.area);
     }
     CHECK(total == Approx(1).margin(0.01));
@@ -108,7 +114,8 @@ TEMPLATE_TEST_CASE_SIG("the pressure fades as the media part", "[interface]", ((
     CHECK(last == 0);  // at 2h − d/2 = 0.25 m the nearest particles leave the support
 }
 
-TEMPLATE_TEST_CASE_SIG("a particle at the wall is driven from high pressure to low", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a particle at the wall is driven from high pressure to low", "[interface]", ((int Dim), Dim), 2,
+                       3) {
     for (const double h_over_d : {1.3, 1.5, 1.8})
         for (const double excess : {0.5 * load, -0.5 * load}) {
             FlatInterface<Dim> s(h_over_d, 1, 0.5);
@@ -127,9 +134,10 @@ TEMPLATE_TEST_CASE_SIG("a particle at the wall is driven from high pressure to l
             CAPTURE(h_over_d, excess);
             CHECK(pushed[1] * excess > 0);
             CHECK((pushed[1] - at_rest) * excess > 0);
-            // Uniform pressure: the sum −2p/ρ Σ V ∇W against the surface term 2p/ρ ∫ W n dΓ. A lattice leaves a few
-            // per cent of either, 2p/(ρ d).
-            CHECK(std::abs(at_rest) < 0.05 * 2 * load / (1000 * spacing));
-            CHECK(std::abs(pushed[0]) < 1e-10 * std::abs(pushed[1]));  // symmetric: rounding of thousandfold larger terms
+            // Uniform pressure: −2p/ρ Σ V ∇W against the surface term 2p/ρ ∫ W n dΓ. On a lattice they differ by 2 % of
+            // 2p/(ρ d), towards the wall: the sum of the first layers misses a little of the integral.
+            CHECK(std::abs(at_rest) < 0.025 * 2 * load / (1000 * spacing));
+            CHECK(std::abs(pushed[0]) <
+                  1e-10 * std::abs(pushed[1]));  // symmetric: rounding of thousandfold larger terms
         }
 }

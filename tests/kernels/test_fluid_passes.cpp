@@ -14,8 +14,8 @@ TEMPLATE_TEST_CASE_SIG("the crowded scene has more candidates than a tile", "[fl
     CHECK(largest_group<Dim>(list_of(p, 8)) > 2 * tile_capacity);
 }
 
-TEMPLATE_TEST_CASE_SIG("fluid_momentum equals its twin", "[fluid]", ((int Dim, class Real), Dim, Real), (2, double), (2, float),
-                       (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("fluid_momentum equals its twin", "[fluid]", ((int Dim, class Real), Dim, Real), (2, double),
+                       (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes)
         for (const double alpha : {0.0, 0.7}) {
             const auto p = make_scene<Dim>(scene);
@@ -31,8 +31,8 @@ TEMPLATE_TEST_CASE_SIG("fluid_momentum equals its twin", "[fluid]", ((int Dim, c
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("continuity equals its twin", "[fluid]", ((int Dim, class Real), Dim, Real), (2, double), (2, float),
-                       (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("continuity equals its twin", "[fluid]", ((int Dim, class Real), Dim, Real), (2, double),
+                       (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes) {
         const auto p = make_scene<Dim>(scene);
         const auto expected = twin::continuity<Dim>(p);
@@ -45,8 +45,8 @@ TEMPLATE_TEST_CASE_SIG("continuity equals its twin", "[fluid]", ((int Dim, class
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("velocity_filter equals its twin", "[fluid]", ((int Dim, class Real), Dim, Real), (2, double), (2, float),
-                       (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("velocity_filter equals its twin", "[fluid]", ((int Dim, class Real), Dim, Real), (2, double),
+                       (2, float), (3, double), (3, float)) {
     const double theta = 0.92;
     for (const Scene scene : scenes) {
         const auto p = make_scene<Dim>(scene);
@@ -66,8 +66,8 @@ TEMPLATE_TEST_CASE_SIG("velocity_filter equals its twin", "[fluid]", ((int Dim, 
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("the filter leaves a stray particle as it is", "[fluid]", ((int Dim, class Real), Dim, Real), (2, double),
-                       (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("the filter leaves a stray particle as it is", "[fluid]", ((int Dim, class Real), Dim, Real),
+                       (2, double), (2, float), (3, double), (3, float)) {
     // Two particles just beyond each other's support, but within the list's skin, and a third out of everybody's reach.
     Particles<Dim> p;
     for (const double x : {0.0, 2.1, 50.0}) {
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("the filter leaves a stray particle as it is", "[fluid]",
     auto correction = zeros<Dim>(p.size());
     for (auto& column : correction.c) column.assign(p.size(), 7.0);  // of an earlier step
     const NeighborList list = list_of(p);
-    REQUIRE(list.size() >= 2);
+    REQUIRE(list.size() == 3);
     REQUIRE(list.pairs() == 0);
     velocity_filter<Dim, Real>(p.view(), list, 0.92, correction);
     CHECK(same_bits(correction, zeros<Dim>(p.size())));
@@ -102,8 +102,8 @@ TEMPLATE_TEST_CASE_SIG("a pass adds to what is there, for listed particles only"
     CHECK(onto[p.size() - 1][0] == 5);
 }
 
-TEMPLATE_TEST_CASE_SIG("fluid passes have the same bits for any number of threads", "[fluid]", ((int Dim, class Real), Dim, Real),
-                       (2, double), (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("fluid passes have the same bits for any number of threads", "[fluid]",
+                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
     const auto p = make_scene<Dim>(Scene::unequal);
     const NeighborList list = list_of(p);
     REQUIRE(list.size() > parallel_threshold);

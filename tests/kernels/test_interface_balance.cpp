@@ -19,22 +19,25 @@ double total_force(const IrregularInterface<Dim>& s, const InterfaceResult<Dim>&
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("the weights by which a force is shared out add up to one", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the weights by which a force is shared out add up to one", "[interface]", ((int Dim), Dim), 2,
+                       3) {
     IrregularInterface<Dim> s(6);
     const InterfaceLists<Dim> lists(s.elements, s.fluid, s.solid);
-    interface_weights<Dim, double>(s.elements.view(), s.solid.view(), lists.element_solid, s.elements.weight, s.elements.velocity);
+    interface_weights<Dim, double>(s.elements.view(), s.solid.view(), lists.element_solid, s.elements.weight,
+                                   s.elements.velocity);
     Vec<Dim> unit;
     unit[0] = 1;
     for (std::size_t k = 0; k < s.elements.size(); k += 5) {
         auto force = zeros<Dim>(s.elements.size()), a = zeros<Dim>(s.solid.size());
         force.set(k, unit);
-        const Vec<Dim> sum = interface_force_on_solid<Dim, double>(s.solid.view(), s.elements.view(), lists.solid_element,
-                                                                   s.elements.weight, force, a);
+        const Vec<Dim> sum = interface_force_on_solid<Dim, double>(s.solid.view(), s.elements.view(),
+                                                                   lists.solid_element, s.elements.weight, force, a);
         CHECK(norm(sum - unit) < 1e-14);  // some ten shares of one
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("action and reaction cancel for any geometry and pressure", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("action and reaction cancel for any geometry and pressure", "[interface]", ((int Dim), Dim), 2,
+                       3) {
     for (unsigned seed = 10; seed < 15; ++seed) {
         IrregularInterface<Dim> s(seed);
         const auto r = evaluate_interface<Dim, double>(s.elements, s.fluid, s.solid, {s.elements, s.fluid, s.solid});
@@ -50,7 +53,8 @@ TEMPLATE_TEST_CASE_SIG("single precision keeps momentum to its own rounding", "[
     CHECK(norm(r.on_solid + r.on_fluid) < 1e-12 * total_force(s, r));
 }
 
-TEMPLATE_TEST_CASE_SIG("the power of the forces is what the fluid's compression takes up", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the power of the forces is what the fluid's compression takes up", "[interface]",
+                       ((int Dim), Dim), 2, 3) {
     for (unsigned seed = 30; seed < 33; ++seed) {
         IrregularInterface<Dim> s(seed);
         const auto r = evaluate_interface<Dim, double>(s.elements, s.fluid, s.solid, {s.elements, s.fluid, s.solid});
@@ -64,7 +68,8 @@ TEMPLATE_TEST_CASE_SIG("the power of the forces is what the fluid's compression 
             const double part = s.fluid.mass[b] * dot(r.fluid_acceleration[b], s.fluid.velocity[b]);
             power += part;
             size += std::abs(part);
-            compression += s.fluid.mass[b] * s.fluid.pressure[b] / (s.fluid.density[b] * s.fluid.density[b]) * r.density_rate[b];
+            compression +=
+                s.fluid.mass[b] * s.fluid.pressure[b] / (s.fluid.density[b] * s.fluid.density[b]) * r.density_rate[b];
         }
         CAPTURE(seed);
         CHECK(std::abs(power + compression) < 1e-13 * size);  // thousands of terms of random sign
@@ -75,9 +80,12 @@ TEMPLATE_TEST_CASE_SIG("the power of the forces is what the fluid's compression 
 TEMPLATE_TEST_CASE_SIG("a common translation changes no density", "[interface]", ((int Dim), Dim), 2, 3) {
     IrregularInterface<Dim> s(40);
     for (auto* p : {&s.solid, &s.fluid})
-        for (int k = 0; k < Dim; ++k) std::fill(p->velocity.c[static_cast<std::size_t>(k)].begin(), p->velocity.c[static_cast<std::size_t>(k)].end(), 1.7 - k);
+        for (int k = 0; k < Dim; ++k)
+            std::fill(p->velocity.c[static_cast<std::size_t>(k)].begin(),
+                      p->velocity.c[static_cast<std::size_t>(k)].end(), 1.7 - k);
     const auto r = evaluate_interface<Dim, double>(s.elements, s.fluid, s.solid, {s.elements, s.fluid, s.solid});
-    // v_k is a mean with weights that add up to one but for rounding; rates of a relative motion of 1 m/s are ρ/d ≈ 1e4.
+    // v_k is a mean with weights that add up to one but for rounding; rates of a relative motion of 1 m/s are ρ/d ≈
+    // 1e4.
     CHECK(*std::max_element(r.density_rate.begin(), r.density_rate.end()) < 1e-9);
     CHECK(*std::min_element(r.density_rate.begin(), r.density_rate.end()) > -1e-9);
 }
@@ -106,7 +114,8 @@ TEMPLATE_TEST_CASE_SIG("an element moves with the solid around it", "[interface]
         CHECK(e.velocity[k][1] == Approx(3 + 2 * e.position[k][0]).epsilon(1e-14));  // a mean of some fifty values
 }
 
-TEMPLATE_TEST_CASE_SIG("approach raises the density, parting lowers it, slip does neither", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("approach raises the density, parting lowers it, slip does neither", "[interface]",
+                       ((int Dim), Dim), 2, 3) {
     const double d = 0.1;
     auto below = cube<Dim>(6, d, 1.5), above = below;
     below.lo.fill(-6);

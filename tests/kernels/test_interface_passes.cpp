@@ -29,7 +29,8 @@ struct Expected {
         on_fluid = empty<Dim>(fluid.size());
         for (std::size_t k = 0; k < e.size(); ++k) {
             for (std::size_t b = 0; b < fluid.size(); ++b)
-                add(pressure, k, Vec<1>{{2 * fluid.mass[b] / fluid.density[b] * fluid.pressure[b] * w_of(e, k, fluid, b)}});
+                add(pressure, k,
+                    Vec<1>{{2 * fluid.mass[b] / fluid.density[b] * fluid.pressure[b] * w_of(e, k, fluid, b)}});
             for (std::size_t a = 0; a < solid.size(); ++a)
                 add(weight, k, Vec<1>{{solid.mass[a] / solid.density[a] * w_of(e, k, solid, a)}});
             for (std::size_t a = 0; a < solid.size(); ++a) {
@@ -41,7 +42,8 @@ struct Expected {
                 const double v_w = fluid.mass[b] / fluid.density[b] * w_of(e, k, fluid, b);
                 add(on_fluid, b, (2 * v_w * fluid.pressure[b] / fluid.mass[b]) * e.area_normal[k]);
                 double approach = 0;
-                for (int c = 0; c < Dim; ++c) approach += e.area_normal[k][c] * (fluid.velocity[b][c] - velocity.value[k][c]);
+                for (int c = 0; c < Dim; ++c)
+                    approach += e.area_normal[k][c] * (fluid.velocity[b][c] - velocity.value[k][c]);
                 add(density_rate, b, Vec<1>{{-2 * fluid.density[b] * w_of(e, k, fluid, b) * approach}});
             }
         }
@@ -63,8 +65,8 @@ struct Expected {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("the interface passes equal their twins", "[interface]", ((int Dim, class Real), Dim, Real), (2, double),
-                       (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("the interface passes equal their twins", "[interface]", ((int Dim, class Real), Dim, Real),
+                       (2, double), (2, float), (3, double), (3, float)) {
     for (const unsigned seed : {1u, 2u}) {
         IrregularInterface<Dim> s(seed);
         const Expected<Dim> expected(s.elements, s.fluid, s.solid);
@@ -104,7 +106,8 @@ TEMPLATE_TEST_CASE_SIG("images count where they should and nowhere else", "[inte
 
     // The later half of the fluid are images: their part of the pressure is told apart.
     const std::size_t owned_fluid = s.fluid.size() / 2;
-    interface_pressure<Dim, double>(e.view(), s.fluid.view(), owned_fluid, lists.element_fluid, e.pressure, e.image_pressure);
+    interface_pressure<Dim, double>(e.view(), s.fluid.view(), owned_fluid, lists.element_fluid, e.pressure,
+                                    e.image_pressure);
     CHECK((e.pressure == whole));
     auto only_images = s.fluid;
     for (std::size_t b = 0; b < owned_fluid; ++b) only_images.pressure[b] = 0;
@@ -115,7 +118,8 @@ TEMPLATE_TEST_CASE_SIG("images count where they should and nowhere else", "[inte
     // The later half of the elements are images: they push fluid, but no solid, and are not in the fluid's sum.
     e.owned = e.size() / 2;
     auto a = zeros<Dim>(s.solid.size()), b = zeros<Dim>(s.fluid.size());
-    const Vec<Dim> on_solid = interface_force_on_solid<Dim, double>(s.solid.view(), e.view(), lists.solid_element, e.weight, e.force, a);
+    const Vec<Dim> on_solid =
+        interface_force_on_solid<Dim, double>(s.solid.view(), e.view(), lists.solid_element, e.weight, e.force, a);
     const Vec<Dim> on_fluid = interface_force_on_fluid<Dim, double>(s.fluid.view(), e.view(), lists.fluid_element, b);
     Vec<Dim> forces;
     double size = 0;
@@ -131,7 +135,8 @@ TEMPLATE_TEST_CASE_SIG("images count where they should and nowhere else", "[inte
     CHECK(worst < 1e-13 * size / s.fluid.mass[0]);
 }
 
-TEMPLATE_TEST_CASE_SIG("interface passes have the same bits for any number of threads", "[interface]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("interface passes have the same bits for any number of threads", "[interface]", ((int Dim), Dim),
+                       2, 3) {
     IrregularInterface<Dim> s(5);
     const InterfaceLists<Dim> lists(s.elements, s.fluid, s.solid);
     std::vector<InterfaceResult<Dim>> results;

@@ -64,7 +64,8 @@ TEMPLATE_TEST_CASE_SIG("a spin of any step keeps the principal stresses", "[jaum
     for (const double turn_per_step : {1e-6, 0.01, 0.5, 2.0, 50.0}) {  // ω Δt
         const Tensor<Dim> before = random_deviator<Dim>(random);
         Tensor<Dim> s = before;
-        for (int n = 0; n < 1000; ++n) s = advance_deviatoric_stress<Dim>(s, spin<Dim>(turn_per_step / 0.1), shear_modulus, 0.1);
+        for (int n = 0; n < 1000; ++n)
+            s = advance_deviatoric_stress<Dim>(s, spin<Dim>(turn_per_step / 0.1), shear_modulus, 0.1);
         CAPTURE(turn_per_step);
         // A thousand products of matrices that are orthogonal to 2e-16 each.
         CHECK((principal<Dim>(s) - principal<Dim>(before)).norm() < 1e-12 * before.norm());
@@ -72,7 +73,8 @@ TEMPLATE_TEST_CASE_SIG("a spin of any step keeps the principal stresses", "[jaum
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("a full turn brings the stress back in the frame that turns with the body", "[jaumann]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a full turn brings the stress back in the frame that turns with the body", "[jaumann]",
+                       ((int Dim), Dim), 2, 3) {
     Random random(2);
     const Tensor<Dim> before = random_deviator<Dim>(random);
     const int steps = 100;
@@ -96,7 +98,8 @@ TEMPLATE_TEST_CASE_SIG("the angle of rotation is second order in the step", "[ja
     double last = 0;
     for (const int steps : {10, 20, 40, 80}) {
         Tensor<Dim> s = before;
-        for (int n = 0; n < steps; ++n) s = advance_deviatoric_stress<Dim>(s, spin<Dim>(angle), shear_modulus, 1.0 / steps);
+        for (int n = 0; n < steps; ++n)
+            s = advance_deviatoric_stress<Dim>(s, spin<Dim>(angle), shear_modulus, 1.0 / steps);
         const double error = (s - exact).norm() / exact.norm();
         CAPTURE(steps, error);
         // Angle error φ³/(12 N²), which turns the stress by as much, twice at the most.
@@ -124,7 +127,8 @@ TEMPLATE_TEST_CASE_SIG("translation and a uniform velocity give nothing", "[jaum
     CHECK(advance_deviatoric_stress<Dim>(s, Tensor<Dim>::Zero(), shear_modulus, 0.1) == s);
 }
 
-TEMPLATE_TEST_CASE_SIG("a small shear gives twice the shear modulus times the strain", "[jaumann]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a small shear gives twice the shear modulus times the strain", "[jaumann]", ((int Dim), Dim), 2,
+                       3) {
     Tensor<Dim> l = Tensor<Dim>::Zero();
     l(0, 1) = 3;  // dv_x/dy: D_xy = 1.5
     const double dt = 1e-5;
@@ -152,7 +156,8 @@ TEMPLATE_TEST_CASE_SIG("a small shear gives twice the shear modulus times the st
 TEST_CASE("a deviator stays traceless in space", "[jaumann]") {
     Random random(6);
     Tensor<3> s = random_deviator<3>(random);
-    for (int n = 0; n < 100; ++n) s = advance_deviatoric_stress<3>(s, random_tensor<3>(random, 10), shear_modulus, 1e-3);
+    for (int n = 0; n < 100; ++n)
+        s = advance_deviatoric_stress<3>(s, random_tensor<3>(random, 10), shear_modulus, 1e-3);
     CHECK(std::abs(s.trace()) < 1e-13 * s.norm());  // a hundred steps of a few roundings each
     CHECK(contract_deviator<3>(s) == Approx((s * s).trace()).epsilon(1e-14));  // nine squares, added in another order
 }

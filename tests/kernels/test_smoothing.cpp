@@ -25,7 +25,9 @@ TEMPLATE_TEST_CASE_SIG("W integrates to one", "[smoothing]", ((int Dim), Dim), 2
     double integral = 0;
     for (int i = 0; i < n; ++i) {  // Simpson's rule per interval of q
         const double a = 2.0 * i / n, b = 2.0 * (i + 1) / n;
-        const auto f = [](double q) { return W::shape(q) * (Dim == 2 ? 2 * std::numbers::pi * q : 4 * std::numbers::pi * q * q); };
+        const auto f = [](double q) {
+            return W::shape(q) * (Dim == 2 ? 2 * std::numbers::pi * q : 4 * std::numbers::pi * q * q);
+        };
         integral += (b - a) / 6 * (f(a) + 4 * f(0.5 * (a + b)) + f(b));
     }
     // Simpson's error is (b−a)^4/2880 · |f''''| ≈ 1e-12/2880 · 400 per unit of q: below 1e-12.
@@ -42,8 +44,8 @@ TEMPLATE_TEST_CASE_SIG("slope is the derivative of shape", "[smoothing]", ((int 
     CHECK(worst < 2e-10);
 }
 
-TEMPLATE_TEST_CASE_SIG("W ends at 2h and its slope with it", "[smoothing]", ((int Dim, class Real), Dim, Real), (2, double),
-                       (3, double), (2, float), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("W ends at 2h and its slope with it", "[smoothing]", ((int Dim, class Real), Dim, Real),
+                       (2, double), (3, double), (2, float), (3, float)) {
     using W = CubicSpline<Dim>;
     CHECK(W::support == 2);
     for (const double q : {2.0, 2.0000002, 3.0, 1e4, 1e30}) {
@@ -59,7 +61,8 @@ TEMPLATE_TEST_CASE_SIG("W ends at 2h and its slope with it", "[smoothing]", ((in
 
 TEMPLATE_TEST_CASE_SIG("kernel_scale is sigma over h^Dim", "[smoothing]", ((int Dim), Dim), 2, 3) {
     for (const double h : {1e-3, 0.7, 12.0})  // two or three products: a few units in the last place
-        CHECK(kernel_scale<CubicSpline<Dim>, Dim>(1 / h) * std::pow(h, Dim) == Approx(CubicSpline<Dim>::sigma).epsilon(1e-15));
+        CHECK(kernel_scale<CubicSpline<Dim>, Dim>(1 / h) * std::pow(h, Dim) ==
+              Approx(CubicSpline<Dim>::sigma).epsilon(1e-15));
 }
 
 TEMPLATE_TEST_CASE_SIG("a lattice sums to one", "[smoothing]", ((int Dim), Dim), 2, 3) {
@@ -76,13 +79,14 @@ TEMPLATE_TEST_CASE_SIG("a lattice sums to one", "[smoothing]", ((int Dim), Dim),
                         x[0] -= i;
                         x[1] -= j;
                         if (Dim == 3) x[Dim - 1] -= k;
-                        sum += kernel_scale<CubicSpline<Dim>, Dim>(1 / h_over_d) * CubicSpline<Dim>::shape(norm(x) / h_over_d);
+                        sum += kernel_scale<CubicSpline<Dim>, Dim>(1 / h_over_d) *
+                               CubicSpline<Dim>::shape(norm(x) / h_over_d);
                     }
             worst = std::max(worst, std::abs(sum - 1));
         }
         CAPTURE(h_over_d, worst);
-        // The kernel's transform at the lattice's shortest wave number, 2·Dim of them, decays like (h/d)^-4 and oscillates;
-        // the largest error is that of the narrowest kernel.
+        // The kernel's transform at the lattice's shortest wave number, 2·Dim of them, decays like (h/d)^-4 and
+        // oscillates; the largest error is that of the narrowest kernel.
         CHECK(worst < (h_over_d < 1.5 ? 0.02 : 0.01));
     }
 }

@@ -38,8 +38,8 @@ double gradient_residual(const TupleField<Dim * Dim>& l, const twin::Sums<2 * Di
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("solid_momentum equals its twin", "[solid]", ((int Dim, class Real), Dim, Real), (2, double), (2, float),
-                       (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("solid_momentum equals its twin", "[solid]", ((int Dim, class Real), Dim, Real), (2, double),
+                       (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes)
         for (const double alpha : {0.0, 1.0})
             for (const double e : {0.0, 0.3}) {
@@ -54,8 +54,8 @@ TEMPLATE_TEST_CASE_SIG("solid_momentum equals its twin", "[solid]", ((int Dim, c
             }
 }
 
-TEMPLATE_TEST_CASE_SIG("the artificial stress takes any exponent", "[solid]", ((int Dim, class Real), Dim, Real), (2, double),
-                       (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("the artificial stress takes any exponent", "[solid]", ((int Dim, class Real), Dim, Real),
+                       (2, double), (2, float), (3, double), (3, float)) {
     const auto p = make_scene<Dim>(Scene::unequal);
     for (int q = 1; q <= 8; ++q) {
         const auto expected = twin::solid_momentum<Dim>(p, {0, 0, true, q, 1.5});
@@ -66,8 +66,8 @@ TEMPLATE_TEST_CASE_SIG("the artificial stress takes any exponent", "[solid]", ((
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("solid_rates equals its twin", "[solid]", ((int Dim, class Real), Dim, Real), (2, double), (2, float),
-                       (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("solid_rates equals its twin", "[solid]", ((int Dim, class Real), Dim, Real), (2, double),
+                       (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes) {
         const auto p = make_scene<Dim>(scene);
         const auto density = twin::continuity<Dim>(p);
@@ -101,7 +101,8 @@ TEMPLATE_TEST_CASE_SIG("too few neighbours give no velocity gradient", "[solid]"
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("a lone particle has no velocity gradient of an earlier list", "[solid]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a lone particle has no velocity gradient of an earlier list", "[solid]", ((int Dim), Dim), 2,
+                       3) {
     auto p = lattice(cube<Dim>(3, 0.1, 1.5));
     Vec<Dim> away;
     away[0] = 50;
@@ -113,8 +114,8 @@ TEMPLATE_TEST_CASE_SIG("a lone particle has no velocity gradient of an earlier l
     CHECK(l[p.size() - 1] == Vec<Dim * Dim>{});
 }
 
-TEMPLATE_TEST_CASE_SIG("solid passes have the same bits for any number of threads", "[solid]", ((int Dim, class Real), Dim, Real),
-                       (2, double), (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("solid passes have the same bits for any number of threads", "[solid]",
+                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
     const auto p = make_scene<Dim>(Scene::unequal);
     const NeighborList list = list_of(p);
     REQUIRE(list.size() > parallel_threshold);

@@ -24,14 +24,15 @@ struct WallScene {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("fixed_ghost_pressure equals its twin", "[wall]", ((int Dim, class Real), Dim, Real), (2, double), (2, float),
-                       (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("fixed_ghost_pressure equals its twin", "[wall]", ((int Dim, class Real), Dim, Real),
+                       (2, double), (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes) {
         const WallScene<Dim> s(scene);
         const auto sums = twin::ghost_pressure_sums<Dim>(s.wall, s.fluid, s.gravity);
         for (const int group_size : {1, 8}) {
             ScalarField pressure(s.wall.size(), 777.0);  // of an earlier step
-            fixed_ghost_pressure<Dim, Real>(s.wall.view(), s.fluid.view(), list_of(s.wall, s.fluid, group_size), s.gravity, pressure);
+            fixed_ghost_pressure<Dim, Real>(s.wall.view(), s.fluid.view(), list_of(s.wall, s.fluid, group_size),
+                                            s.gravity, pressure);
             double worst = 0;
             std::size_t wet = 0;
             for (std::size_t i = 0; i < pressure.size(); ++i) {
@@ -50,8 +51,8 @@ TEMPLATE_TEST_CASE_SIG("fixed_ghost_pressure equals its twin", "[wall]", ((int D
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("fixed_ghost_force and fixed_ghost_continuity equal their twins", "[wall]", ((int Dim, class Real), Dim, Real),
-                       (2, double), (2, float), (3, double), (3, float)) {
+TEMPLATE_TEST_CASE_SIG("fixed_ghost_force and fixed_ghost_continuity equal their twins", "[wall]",
+                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
     for (const Scene scene : scenes) {
         const WallScene<Dim> s(scene);
         const auto force = twin::ghost_force<Dim>(s.fluid, s.wall);

@@ -84,7 +84,8 @@ Vec<Dim> times(const Vec<sym_components<Dim>>& s, const Vec<Dim>& v) {
 
 /// Π_ij of eq. (12).
 template <int Dim>
-double viscous_pressure(const Particles<Dim>& p, std::size_t i, std::size_t j, const PairOf<Dim>& ij, double alpha, double c) {
+double viscous_pressure(const Particles<Dim>& p, std::size_t i, std::size_t j, const PairOf<Dim>& ij, double alpha,
+                        double c) {
     double vx = 0;
     for (int k = 0; k < Dim; ++k) vx += (p.velocity[i][k] - p.velocity[j][k]) * ij.x[k];
     if (vx >= 0) return 0;
@@ -96,7 +97,8 @@ double viscous_pressure(const Particles<Dim>& p, std::size_t i, std::size_t j, c
 template <int Dim>
 Sums<Dim> fluid_momentum(const Particles<Dim>& p, double alpha, double c) {
     return sum_all<Dim>(p, p, [&](std::size_t i, std::size_t j, const PairOf<Dim>& ij) {
-        const double pressures = p.pressure[i] / (p.density[i] * p.density[i]) + p.pressure[j] / (p.density[j] * p.density[j]);
+        const double pressures =
+            p.pressure[i] / (p.density[i] * p.density[i]) + p.pressure[j] / (p.density[j] * p.density[j]);
         return -p.mass[j] * (pressures + viscous_pressure(p, i, j, ij, alpha, c)) * ij.grad;
     });
 }
@@ -136,7 +138,8 @@ Sums<Dim> solid_momentum(const Particles<Dim>& p, const SolidConstants& s) {
     return sum_all<Dim>(p, p, [&](std::size_t i, std::size_t j, const PairOf<Dim>& ij) {
         const double ri2 = p.density[i] * p.density[i], rj2 = p.density[j] * p.density[j];
         const Vec<Dim> from_i = times<Dim>(p.stress[i], ij.grad), from_j = times<Dim>(p.stress[j], ij.grad);
-        const Vec<Dim> tension_i = times<Dim>(p.artificial_stress[i], ij.grad), tension_j = times<Dim>(p.artificial_stress[j], ij.grad);
+        const Vec<Dim> tension_i = times<Dim>(p.artificial_stress[i], ij.grad),
+                       tension_j = times<Dim>(p.artificial_stress[j], ij.grad);
         const double pi = viscous_pressure(p, i, j, ij, s.alpha, s.c);
         const double f = ij.w / twin::w(Dim, ij.h / s.h_over_d, ij.h);
         Vec<Dim> t;

@@ -55,7 +55,9 @@ struct Elements {
         for (ScalarField* column : {&pressure, &image_pressure, &weight}) column->push_back(0);
         owned = position.size();
     }
-    ElementView<Dim> view() const { return {columns_of(position), columns_of(area_normal), columns_of(velocity), owned}; }
+    ElementView<Dim> view() const {
+        return {columns_of(position), columns_of(area_normal), columns_of(velocity), owned};
+    }
 };
 
 /// The four lists between elements and particles, all with groups of one.
@@ -83,10 +85,12 @@ template <int Dim, class Real>
 InterfaceResult<Dim> evaluate_interface(Elements<Dim>& e, const Particles<Dim>& fluid, const Particles<Dim>& solid,
                                         const InterfaceLists<Dim>& lists) {
     InterfaceResult<Dim> r{zeros<Dim>(solid.size()), zeros<Dim>(fluid.size()), ScalarField(fluid.size(), 0.0), {}, {}};
-    interface_pressure<Dim, Real>(e.view(), fluid.view(), fluid.size(), lists.element_fluid, e.pressure, e.image_pressure);
+    interface_pressure<Dim, Real>(e.view(), fluid.view(), fluid.size(), lists.element_fluid, e.pressure,
+                                  e.image_pressure);
     interface_weights<Dim, Real>(e.view(), solid.view(), lists.element_solid, e.weight, e.velocity);
     for (std::size_t k = 0; k < e.size(); ++k) e.force.set(k, -e.pressure[k] * e.area_normal[k]);
-    r.on_solid = interface_force_on_solid<Dim, Real>(solid.view(), e.view(), lists.solid_element, e.weight, e.force, r.solid_acceleration);
+    r.on_solid = interface_force_on_solid<Dim, Real>(solid.view(), e.view(), lists.solid_element, e.weight, e.force,
+                                                     r.solid_acceleration);
     r.on_fluid = interface_force_on_fluid<Dim, Real>(fluid.view(), e.view(), lists.fluid_element, r.fluid_acceleration);
     interface_continuity<Dim, Real>(fluid.view(), e.view(), lists.fluid_element, r.density_rate);
     return r;

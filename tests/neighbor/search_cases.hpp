@@ -31,8 +31,8 @@ struct SearchCase {
         query_grid.build(query, query.size(), cell, query_reach);
         if (!same_set) target_grid.build(target, target.size(), cell, target_reach);
         NeighborList list;
-        NeighborSearch<Dim>().build({query, query_grid}, owned, {targets(), same_set ? query_grid : target_grid}, reach(),
-                                    group_size, list);
+        NeighborSearch<Dim>().build({query, query_grid}, owned, {targets(), same_set ? query_grid : target_grid},
+                                    reach(), group_size, list);
         return list;
     }
     std::vector<std::vector<Index>> plain() const { return all_pairs(query, owned, targets(), reach()); }

@@ -14,7 +14,8 @@ namespace {
 
 /// What holds for every grid; the first broken rule by name, or "".
 template <int Dim>
-std::string broken_rule(const CellGrid<Dim>& grid, const VectorField<Dim>& x, std::size_t n, std::span<const double> reach = {}) {
+std::string broken_rule(const CellGrid<Dim>& grid, const VectorField<Dim>& x, std::size_t n,
+                        std::span<const double> reach = {}) {
     if (grid.order().size() != n) return "order has n entries";
     std::vector<int> seen(n, 0);
     for (const Index i : grid.order()) {

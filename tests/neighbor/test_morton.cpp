@@ -43,7 +43,8 @@ TEMPLATE_TEST_CASE_SIG("a Morton key interleaves the coordinates' bits", "[morto
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("Morton keys use the key's whole range and nothing above it", "[morton]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Morton keys use the key's whole range and nothing above it", "[morton]", ((int Dim), Dim), 2,
+                       3) {
     std::array<std::uint32_t, Dim> corner;
     corner.fill(largest_coordinate<Dim>);
     constexpr int bits = Dim * morton_bits<Dim>;

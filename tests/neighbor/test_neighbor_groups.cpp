@@ -14,10 +14,12 @@ std::string broken_rule(const SearchCase<Dim>& c, const NeighborList& list, int 
     std::size_t members = 0;
     for (std::size_t g = 0; g < list.groups(); ++g) {
         const auto group = list.queries(g);
-        if (group.empty() || group.size() > static_cast<std::size_t>(group_size)) return "groups have 1 … group_size members";
+        if (group.empty() || group.size() > static_cast<std::size_t>(group_size))
+            return "groups have 1 … group_size members";
         const auto candidates = ascending(list.candidates(g));
         if (candidates.empty()) return "a listed group has candidates";
-        if (std::adjacent_find(candidates.begin(), candidates.end()) != candidates.end()) return "candidates stand once";
+        if (std::adjacent_find(candidates.begin(), candidates.end()) != candidates.end())
+            return "candidates stand once";
         if (candidates.back() >= c.targets().size()) return "candidates are targets";
         for (const Index i : group) {
             if (i >= c.owned) return "members are owned";
@@ -31,8 +33,11 @@ std::string broken_rule(const SearchCase<Dim>& c, const NeighborList& list, int 
         }
     }
     if (members != list.size()) return "size() counts the members";
-    for (std::size_t i = 0; i < c.owned; ++i)
-        if (listed[i] > 1 || (listed[i] == 0 && !neighbors[i].empty())) return "who has a neighbour stands in one group";
+    const bool all_are_listed = c.same_set && group_size > 1;  // a particle is then a candidate of its own group
+    for (std::size_t i = 0; i < c.owned; ++i) {
+        if (listed[i] > 1) return "nobody stands in two groups";
+        if (listed[i] == 0 && (all_are_listed || !neighbors[i].empty())) return "who has a neighbour stands in a group";
+    }
     return "";
 }
 

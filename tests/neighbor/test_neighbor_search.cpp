@@ -40,7 +40,8 @@ TEMPLATE_TEST_CASE_SIG("a group of one has exactly the particle's own neighbours
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("pairs() counts the directed pairs inside the cut-off, not those of the skin", "[search]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("pairs() counts the directed pairs inside the cut-off, not those of the skin", "[search]",
+                       ((int Dim), Dim), 2, 3) {
     for (const auto& c : search_cases<Dim>()) {
         const std::uint64_t expected = count_pairs(c);
         CAPTURE(c.name);

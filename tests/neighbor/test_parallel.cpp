@@ -23,7 +23,8 @@ std::vector<double> ill_matched(std::size_t n) {
 
 TEST_CASE("every iteration runs once", "[parallel]") {
     for (const int threads : {1, 2, 4})
-        for (const std::size_t n : {std::size_t{0}, std::size_t{1}, parallel_threshold, parallel_threshold + 1, std::size_t{10007}}) {
+        for (const std::size_t n :
+             {std::size_t{0}, std::size_t{1}, parallel_threshold, parallel_threshold + 1, std::size_t{10007}}) {
             const ThreadScope scope(threads);
             std::vector<int> visits(n, 0), uneven(n, 0);
             parallel_for(n, [&](std::size_t i) { ++visits[i]; });
@@ -36,7 +37,8 @@ TEST_CASE("every iteration runs once", "[parallel]") {
 
 TEST_CASE("ordered_sum has the same bits for any number of threads", "[parallel]") {
     // 600,000 items are more blocks than ordered_sum keeps on its stack, and enough for a team of threads.
-    for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{1024}, std::size_t{1025}, std::size_t{70000}, std::size_t{600000}}) {
+    for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{1024}, std::size_t{1025},
+                                std::size_t{70000}, std::size_t{600000}}) {
         const auto v = ill_matched(n);
         std::vector<std::uint64_t> bits;
         for (const int threads : {1, 2, 3, 4}) {

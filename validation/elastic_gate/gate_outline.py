@@ -67,6 +67,12 @@ class GatePosition:
         """Centre line of the gate from its foot upwards, prolonged along the wall."""
         return np.vstack([self.middle, [self.middle[-1, 0], self.outline.wall_top]])
 
+    def side(self, points):
+        """+1 for points beside the gate or wall on the dry side, −1 on the wet side, 0 for those that are nearest to the
+        foot: below the gate, or within one thickness of its end, where a side means nothing."""
+        _, along, side = nearest_on_polyline(points, self.barrier())
+        return np.where(along > self.outline.thickness, side, 0)
+
     def near_wet_side(self, points, distance):
         """Mask of the points closer than `distance` to the wet face or to the wall above it, on that side."""
         face = np.vstack([self.wet, [self.wet[-1, 0], self.outline.wall_top]])
@@ -98,19 +104,22 @@ def fluid_spacing_by_id(first_frame):
     return spacing
 
 
+def nearest_on_polyline(points, line):
+    """Of the nearest point of the polyline: its distance, the length along the line to it, and the side on which the
+    points lie (+1 to the right of the line's direction, −1 to the left)."""
+    best, along_line, side, walked = np.full(len(points), np.inf), np.zeros(len(points)), np.zeros(len(points)), 0.0
+    for a, b in zip(line[:-1], line[1:]):
+        t, length = b - a, np.linalg.norm(b - a)
+        along = np.clip((points - a) @ t / max(t @ t, 1e-30), 0, 1)
+        away = points - a - along[:, None] * t
+        distance = np.linalg.norm(away, axis=1)
+        nearer = distance < best
+        best[nearer] = distance[nearer]
+        along_line[nearer] = walked + along[nearer] * length
+        side[nearer] = np.sign(t[1] * away[nearer, 0] - t[0] * away[nearer, 1])
+        walked += length
+    return best, along_line, side
+
+
 def distance_to_polyline(points, line):
-    best = np.full(len(points), np.inf)
-    for a, b in zip(line[:-1], line[1:]):
-        along = np.clip((points - a) @ (b - a) / max((b - a) @ (b - a), 1e-30), 0, 1)
-        best = np.minimum(best, np.linalg.norm(points - a - along[:, None] * (b - a), axis=1))
-    return best
-
-
-def crosses_polyline(start, end, line):
-    """Mask of the segments start→end that cross the polyline."""
-    def side(p, q, r):
-        return (q[..., 0] - p[..., 0]) * (r[..., 1] - p[..., 1]) - (q[..., 1] - p[..., 1]) * (r[..., 0] - p[..., 0])
-    hit = np.zeros(len(start), dtype=bool)
-    for a, b in zip(line[:-1], line[1:]):
-        hit |= (side(start, end, a) * side(start, end, b) < 0) & (side(a, b, start) * side(a, b, end) < 0)
-    return hit
+    return nearest_on_polyline(points, line)[0]

@@ -3,11 +3,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from gate_outline import GateOutline, crosses_polyline, fluid_spacing_by_id
+from gate_outline import GateOutline, fluid_spacing_by_id
 from lib.pairs import share_closer_than
 from lib.run_output import FLUID, WALL
 
-SPEED_LIMIT = 3.0        # m/s: no water may move faster
+SPEED_LIMIT = 3.0        # m/s: no water may move faster than twice the free fall from the level
 CLOSE = 0.5              # pairs closer than this fraction of their mean spacing count as clumped
 REACH = 3.0              # of all pairs closer than this: the kernel's support 2h = 3d
 NEAR_WALL = 2e-3         # m: water closer to the gate or wall than this is counted as its film
@@ -20,7 +20,6 @@ class GateMeasures:
     within_surface: list = field(default_factory=list)  # fluid particles inside its material surface
     behind: list = field(default_factory=list)          # fluid particles where they can only come through the gate
     tunnelled: list = field(default_factory=list)       # fluid particles that crossed it since the frame before
-    fastest: list = field(default_factory=list)         # m/s
     clumped: list = field(default_factory=list)         # share of the pairs
     film_top: list = field(default_factory=list)        # highest water at the gate and wall [m]; NaN = none
 
@@ -41,7 +40,6 @@ def measure(run):
         result.inside.append(int(gate.inside(water).sum()))
         result.within_surface.append(int(gate.within_surface(water).sum()))
         result.behind.append(int(gate.behind(water).sum()))
-        result.fastest.append(float(frame.speed()[fluid].max()))
         result.clumped.append(share_closer_than(water, spacing[ids], CLOSE, REACH))
         film = water[gate.near_wet_side(water, NEAR_WALL), 1]
         result.film_top.append(float(film.max()) if film.size else np.nan)
@@ -52,18 +50,10 @@ def measure(run):
 
 
 def _tunnelled(before, now):
-    """Particles whose straight way since the last frame crosses the gate, although the way round its foot is longer
-    than anything can go at the speed limit."""
-    (old, old_gate, old_time), (new, gate, time) = before, now
-    common = np.array(sorted(old.keys() & new.keys()))
-    start, end = np.array([old[i] for i in common]), np.array([new[i] for i in common])
-    crossed = np.zeros(len(common), dtype=bool)
-    round_foot = np.full(len(common), np.inf)
-    for position in (old_gate, gate):
-        line = position.barrier()
-        crossed |= crosses_polyline(start, end, line)
-        foot = line[0]
-        round_foot = np.minimum(round_foot, np.linalg.norm(start - foot, axis=1) + np.linalg.norm(end - foot, axis=1))
-    # Between the frames the foot itself moved: allow it that way.
-    slack = np.linalg.norm(gate.middle[0] - old_gate.middle[0])
-    return int(np.count_nonzero(crossed & (round_foot > SPEED_LIMIT * (time - old_time) + slack)))
+    """Particles that were beside the gate or wall on one side and are beside it on the other, seen from the gate's own
+    position each time. Water that goes round the foot passes below it in between, not beside the gate."""
+    (old, old_gate, _), (new, gate, _) = before, now
+    common = sorted(old.keys() & new.keys())
+    was = old_gate.side(np.array([old[i] for i in common]))
+    is_now = gate.side(np.array([new[i] for i in common]))
+    return int(np.count_nonzero(was * is_now < 0))

@@ -1,0 +1,21 @@
+#!/bin/sh
+# Installs what sluice is built, tested and validated with, from Debian's own packages; skips apt if all are there.
+set -eu
+packages="g++ cmake ninja-build libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev \
+nlohmann-json3-dev libmuparser-dev catch2 libbenchmark-dev python3 python3-numpy python3-matplotlib python3-h5py"
+
+missing=""
+for package in $packages; do
+    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+    echo "packages: all installed"
+    exit 0
+fi
+echo "packages: installing$missing"
+if [ "$(id -u)" -eq 0 ]; then as_root=""; else as_root="sudo"; fi
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get update -qq
+# shellcheck disable=SC2086 # a list of words on purpose
+$as_root apt-get install -y -qq --no-install-recommends $missing >/dev/null
+echo "packages: done"

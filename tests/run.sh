@@ -1,0 +1,17 @@
+#!/bin/sh
+# Installs the packages, builds everything and runs all tests. Usage: tests/run.sh [BUILD_DIR]
+set -eu
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+build=${1:-$root/build}
+
+"$root/tests/install_packages.sh"
+cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSLUICE_WERROR=ON >"$build.log" 2>&1 ||
+    { cat "$build.log"; rm -f "$build.log"; echo "sluice: configuration FAILED"; exit 1; }
+rm -f "$build.log"
+cmake --build "$build"
+if (cd "$build" && ctest --output-on-failure); then
+    echo "sluice: all tests passed"
+else
+    echo "sluice: tests FAILED"
+    exit 1
+fi
