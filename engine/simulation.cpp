@@ -56,6 +56,7 @@ struct Simulation<Dim>::Impl {
                            r.artificial_stress_exponent, scene.method.smoothing_length};
         if (state.water) max_speed = highest_speed(state.fluid);
         update_pressure_and_stress();
+        update_boundary_pressures<double>();  // so that the first output shows what the start means for walls and solids
     }
 
     /// The staggered explicit Euler scheme of the paper: velocities at n ± 1/2, everything else at n. Rates of density
@@ -103,10 +104,16 @@ struct Simulation<Dim>::Impl {
     void wall_forces() {
         if (!effects.has(Effect::fixed_wall)) return;
         const auto scope = timer.measure(StepPhase::wall_pass);
-        const auto fluid = view_of(state.fluid), wall = view_of(state.wall);
-        pairs += fixed_ghost_pressure<Dim, Real>(wall, fluid, neighbors.wall_fluid, state.gravity, state.wall.pressure);
+        update_wall_pressure<Real>();
+        pairs += fixed_ghost_force<Dim, Real>(view_of(state.fluid), view_of(state.wall), neighbors.fluid_wall,
+                                              state.fluid.acceleration);
+    }
+
+    template <class Real>
+    void update_wall_pressure() {
+        pairs += fixed_ghost_pressure<Dim, Real>(view_of(state.wall), view_of(state.fluid), neighbors.wall_fluid,
+                                                 state.gravity, state.wall.pressure);
         neighbors.refresh_wall_pressure();
-        pairs += fixed_ghost_force<Dim, Real>(fluid, wall, neighbors.fluid_wall, state.fluid.acceleration);
     }
 
     template <class Real>
@@ -120,16 +127,30 @@ struct Simulation<Dim>::Impl {
     void interface_forces() {
         if (!effects.has(Effect::interface_force)) return;
         const auto scope = timer.measure(StepPhase::interface_pass);
+        update_interface_pressure<Real>();
+        const auto& e = state.elements;
+        const auto elements = view_of(e);
+        const Vec<Dim> on_solid =
+            interface_force_on_solid<Dim, Real>(view_of(state.solid), elements, neighbors.solid_element, e.solid_weight,
+                                                e.force, state.solid.acceleration);
+        const Vec<Dim> on_fluid = interface_force_on_fluid<Dim, Real>(view_of(state.fluid), elements,
+                                                                      neighbors.fluid_element, state.fluid.acceleration);
+        record_balance(on_solid, on_fluid);
+    }
+
+    template <class Real>
+    void update_interface_pressure() {
         update_elements<Real>();
         auto& e = state.elements;
-        const auto fluid = view_of(state.fluid), solid = view_of(state.solid);
-        const auto elements = view_of(e);
-        interface_pressure<Dim, Real>(elements, fluid, state.fluid.owned, neighbors.element_fluid, e.pressure, e.image_pressure);
+        interface_pressure<Dim, Real>(view_of(e), view_of(state.fluid), state.fluid.owned, neighbors.element_fluid,
+                                      e.pressure, e.image_pressure);
         for (std::size_t k = 0; k < e.owned; ++k) e.force.set(k, -e.pressure[k] * e.area_normal[k]);
-        const Vec<Dim> on_solid = interface_force_on_solid<Dim, Real>(solid, elements, neighbors.solid_element,
-                                                                      e.solid_weight, e.force, state.solid.acceleration);
-        const Vec<Dim> on_fluid = interface_force_on_fluid<Dim, Real>(fluid, elements, neighbors.fluid_element, state.fluid.acceleration);
-        record_balance(on_solid, on_fluid);
+    }
+
+    template <class Real>
+    void update_boundary_pressures() {
+        if (effects.has(Effect::fixed_wall)) update_wall_pressure<Real>();
+        if (effects.has(Effect::interface_force)) update_interface_pressure<Real>();
     }
 
     /// What fluid and solid give each other must add up to nothing, but for what images of the fluid, that is the

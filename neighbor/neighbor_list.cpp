@@ -194,13 +194,13 @@ void NeighborSearch<Dim>::build(const Set& query, std::size_t owned, const Set& 
     const std::size_t cells = query.grid.cells().size();
     if (cells == 0 || target.grid.cells().empty()) return list.clear();
     const Job job{query, owned, target, reach, group_size};
-    const int threads = omp_get_max_threads();
+    const int threads = query.position.size() > parallel_threshold ? omp_get_max_threads() : 1;
     shares_.resize(static_cast<std::size_t>(threads));
     for (std::size_t t = 0; t < shares_.size(); ++t) {
         shares_[t].first_cell = cells * t / shares_.size();
         shares_[t].last_cell = cells * (t + 1) / shares_.size();
     }
-#pragma omp parallel for schedule(static, 1) num_threads(threads)
+#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
     for (int t = 0; t < threads; ++t) search_cells(job, shares_[static_cast<std::size_t>(t)]);
     join(list);
 }

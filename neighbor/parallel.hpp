@@ -11,18 +11,21 @@
 
 namespace sluice {
 
-/// Below this many items a loop runs on the calling thread: a team's fork and join cost more than the work.
+/// Below this many items a loop over pairs runs on the calling thread: a team's fork and join cost more than the work.
 inline constexpr std::size_t parallel_threshold = 512;
+/// The same for loops that do a few operations per item. Set high: a fork and join take microseconds on an idle machine,
+/// but milliseconds where another program holds one of the processors.
+inline constexpr std::size_t light_threshold = 20000;
 
-/// body(i) for every i in [0, n); iterations must not depend on each other.
+/// body(i) for every i in [0, n), a few operations each; iterations must not depend on each other.
 template <class Body>
 void parallel_for(std::size_t n, Body&& body) {
     const auto count = static_cast<std::int64_t>(n);
-#pragma omp parallel for schedule(static) if (n > parallel_threshold)
+#pragma omp parallel for schedule(static) if (n > light_threshold)
     for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
 }
 
-/// The same for iterations of unequal cost: handed out in chunks of `chunk` as threads become free.
+/// The same for iterations of much and unequal work: handed out in chunks of `chunk` as threads become free.
 template <class Body>
 void parallel_for_uneven(std::size_t n, std::size_t chunk, Body&& body) {
     const auto count = static_cast<std::int64_t>(n);
@@ -60,7 +63,7 @@ double nonnegative_max(std::size_t n, F&& f) {
     double largest = 0;
     bool all_finite = true;
     const auto count = static_cast<std::int64_t>(n);
-#pragma omp parallel for schedule(static) reduction(max : largest) reduction(&& : all_finite) if (n > parallel_threshold)
+#pragma omp parallel for schedule(static) reduction(max : largest) reduction(&& : all_finite) if (n > light_threshold)
     for (std::int64_t i = 0; i < count; ++i) {
         const double v = f(static_cast<std::size_t>(i));
         all_finite = all_finite && (v - v == 0);

@@ -35,7 +35,7 @@ void RadixSorter::sort(Array<std::uint64_t>& keys, Array<Index>& values, int key
     const std::size_t n = keys.size();
     key_buffer_.resize(n);
     value_buffer_.resize(n);
-    const int threads = n > 8 * parallel_threshold ? omp_get_max_threads() : 1;
+    const int threads = n > light_threshold ? omp_get_max_threads() : 1;
     for (int shift = 0; shift < key_bits; shift += digit_bits) {
         const std::uint64_t mask = (std::uint64_t{1} << std::min(digit_bits, key_bits - shift)) - 1;
         offsets_.assign(static_cast<std::size_t>(threads) * digits, 0);
