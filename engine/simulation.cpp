@@ -173,6 +173,8 @@ struct Simulation<Dim>::Impl {
         if constexpr (Dim == 2) state.surface.update(state.solid, neighbors.solid_index_of_id(), state.elements);
         interface_weights<Dim, Real>(view_of(state.elements), view_of(state.solid), neighbors.element_solid,
                                      state.elements.solid_weight, state.elements.velocity);
+        for (std::size_t k = 0; k < state.elements.owned; ++k)
+            if (state.elements.solid_weight[k] == 0) state.elements.area_normal.set(k, {});  // torn off its body
         neighbors.refresh_elements();
     }
 

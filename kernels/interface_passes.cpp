@@ -52,6 +52,7 @@ void interface_pressure(const ElementView<Dim>& elements, const ParticleView<Dim
 template <int Dim, class Real>
 void interface_weights(const ElementView<Dim>& elements, const ParticleView<Dim>& solid, const NeighborList& list,
                        ScalarField& weight, VectorField<Dim>& velocity) {
+    std::fill(weight.begin(), weight.end(), 0.0);
     parallel_for(list.groups(), [&](std::size_t l) {
         const Index k = list.queries(l)[0];
         double sum = 0;
@@ -63,7 +64,7 @@ void interface_weights(const ElementView<Dim>& elements, const ParticleView<Dim>
             v += w * at<double>(solid.velocity, a);
         }
         weight[k] = sum;
-        velocity.set(k, (1 / sum) * v);
+        velocity.set(k, sum > 0 ? (1 / sum) * v : v);
     });
 }
 
@@ -78,7 +79,7 @@ Vec<Dim> interface_force_on_solid(const ParticleView<Dim>& solid, const ElementV
             if (k >= elements.owned) continue;  // an image's force belongs to the image of the solid
             const double w =
                 kernel_between<Dim, Real>(elements.position, k, solid.position, a, solid.smoothing_length[a]);
-            f += (volume * w / weight[k]) * force[k];
+            if (weight[k] > 0) f += (volume * w / weight[k]) * force[k];
         }
         acceleration.set(a, acceleration[a] + (1 / solid.mass[a]) * f);
         return f;

@@ -54,7 +54,8 @@ template <int Dim, class Real>
 void interface_pressure(const ElementView<Dim>& elements, const ParticleView<Dim>& fluid, std::size_t owned_fluid,
                         const NeighborList& list, ScalarField& pressure, ScalarField& image_pressure);
 
-/// Σ_a V_a W_ka for each owned element, and v_k of (d).
+/// Σ_a V_a W_ka for each owned element, and v_k of (d). An element that its solid has left behind has weight 0; nothing
+/// can take up a force on it, so the caller must take its area away.
 template <int Dim, class Real>
 void interface_weights(const ElementView<Dim>& elements, const ParticleView<Dim>& solid, const NeighborList& list,
                        ScalarField& weight, VectorField<Dim>& velocity);

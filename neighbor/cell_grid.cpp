@@ -49,29 +49,30 @@ void CellGrid<Dim>::compute_keys(const VectorField<Dim>& position, std::size_t n
         bits = std::max(bits, static_cast<int>(std::bit_width(extent_[static_cast<std::size_t>(k)] - 1)));
     }
     key_bits_ = bits * Dim;
-    const double per_cell = 1 / cell_size_;
     parallel_for(n, [&](std::size_t i) {
-        std::array<std::uint32_t, Dim> cell;
-        for (std::size_t k = 0; k < Dim; ++k) {
-            const auto c = static_cast<std::uint32_t>((position.c[k][i] - origin_[static_cast<int>(k)]) * per_cell);
-            cell[k] = std::min(c, extent_[k] - 1);  // x·(1/a) may round up to the next whole number
-        }
-        keys_[i] = morton_encode<Dim>(cell);
+        keys_[i] = morton_encode<Dim>(cell_of(position, i));
         order_[i] = static_cast<Index>(i);
     });
 }
 
 template <int Dim>
+std::array<std::uint32_t, Dim> CellGrid<Dim>::cell_of(const VectorField<Dim>& position, std::size_t i) const {
+    std::array<std::uint32_t, Dim> cell;
+    const double per_cell = 1 / cell_size_;
+    for (std::size_t k = 0; k < Dim; ++k) {
+        const double c = (position.c[k][i] - origin_[static_cast<int>(k)]) * per_cell;
+        // x·(1/a) may round up to the next whole number. A position that is not a number goes into the first cell.
+        cell[k] = c > 0 ? static_cast<std::uint32_t>(std::min(c, static_cast<double>(extent_[k] - 1))) : 0;
+    }
+    return cell;
+}
+
+template <int Dim>
 void CellGrid<Dim>::collect_cells(const VectorField<Dim>& position, std::span<const double> reach) {
     const std::size_t n = keys_.size();
-    const double per_cell = 1 / cell_size_;
     for (std::size_t begin = 0; begin < n;) {
         Cell<Dim> cell;
-        const Index first = order_[begin];
-        for (std::size_t k = 0; k < Dim; ++k) {
-            const auto c = static_cast<std::uint32_t>((position.c[k][first] - origin_[static_cast<int>(k)]) * per_cell);
-            cell.coordinate[k] = std::min(c, extent_[k] - 1);
-        }
+        cell.coordinate = cell_of(position, order_[begin]);
         std::size_t end = begin;
         for (; end < n && keys_[end] == keys_[begin]; ++end)
             if (!reach.empty()) cell.reach = std::max(cell.reach, reach[order_[end]]);

@@ -41,6 +41,7 @@ class CellGrid {
 
   private:
     void compute_keys(const VectorField<Dim>& position, std::size_t n);
+    std::array<std::uint32_t, Dim> cell_of(const VectorField<Dim>& position, std::size_t i) const;
     void collect_cells(const VectorField<Dim>& position, std::span<const double> reach);
     void hash_cells();
 

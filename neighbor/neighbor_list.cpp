@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "neighbor/parallel.hpp"
 
@@ -191,6 +192,7 @@ void NeighborSearch<Dim>::join(NeighborList& list) const {
 template <int Dim>
 void NeighborSearch<Dim>::build(const Set& query, std::size_t owned, const Set& target, const PairReach& reach,
                                 int group_size, NeighborList& list) {
+    if (group_size < 1 || group_size > max_group_size) throw std::invalid_argument("group size out of range");
     const std::size_t cells = query.grid.cells().size();
     if (cells == 0 || target.grid.cells().empty()) return list.clear();
     const Job job{query, owned, target, reach, group_size};

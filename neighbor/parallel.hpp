@@ -47,17 +47,20 @@ T ordered_sum(std::size_t n, F&& f) {
         on_heap.resize(blocks);
         partial = on_heap.data();
     }
-    parallel_for_uneven(blocks, 1, [&](std::size_t b) {
+    const auto count = static_cast<std::int64_t>(blocks);
+#pragma omp parallel for schedule(static) if (n > light_threshold)
+    for (std::int64_t k = 0; k < count; ++k) {
+        const auto b = static_cast<std::size_t>(k);
         T s{};
         for (std::size_t i = b * block; i < std::min(n, (b + 1) * block); ++i) s += f(i);
         partial[b] = s;
-    });
+    }
     T total{};
     for (std::size_t b = 0; b < blocks; ++b) total += partial[b];
     return total;
 }
 
-/// max f(i), at least 0. The order of a maximum does not matter; a NaN anywhere is returned as NaN.
+/// max f(i), at least 0. The order of a maximum does not matter; NaN if any f(i) is not finite.
 template <class F>
 double nonnegative_max(std::size_t n, F&& f) {
     double largest = 0;

@@ -10,8 +10,11 @@ namespace sluice {
 namespace {
 
 /// Skin over the smallest smoothing length. A thicker skin means fewer builds but more pairs outside the support in
-/// every pass; the optimum is flat (bench: step_skin).
+/// every pass; the optimum is flat.
 constexpr double skin_over_h = 0.25;
+
+/// Builds between two sorts: order in memory decays slowly, by a spacing or so in this many builds.
+constexpr std::uint64_t builds_per_sort = 8;
 
 double smallest(const ScalarField& h, double otherwise) {
     return h.empty() ? otherwise : *std::min_element(h.begin(), h.end());
@@ -27,7 +30,10 @@ Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects)
 
 template <int Dim>
 void Neighborhood<Dim>::rebuild() {
-    sort_particles();
+    if (builds_ % builds_per_sort == 0)
+        sort_particles();
+    else
+        drop_images();
     if constexpr (Dim == 2)
         if (!state_.surface.empty()) state_.surface.update(state_.solid, solid_index_of_id_, state_.elements);
     make_images();
@@ -52,6 +58,15 @@ void Neighborhood<Dim>::sort_particles() {
     }
     solid_index_of_id_.resize(state_.solid.owned);
     for (std::size_t i = 0; i < state_.solid.owned; ++i) solid_index_of_id_[state_.solid.id[i]] = static_cast<Index>(i);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::drop_images() {
+    auto& fluid = state_.fluid;
+    fluid.position.resize(fluid.owned);
+    fluid.velocity.resize(fluid.owned);
+    for (ScalarField* column : {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
+        column->resize(fluid.owned);
 }
 
 template <int Dim>

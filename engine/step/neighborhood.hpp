@@ -40,6 +40,7 @@ class Neighborhood {
 
   private:
     void sort_particles();
+    void drop_images();
     void make_images();
     void build_grids();
     void build_lists();
