@@ -17,8 +17,9 @@ Real kernel_at(const Vec<Dim, Real>& x, Real h) {
 template <int Dim, class Real>
 double kernel_between(const std::array<const double*, Dim>& a, Index i, const std::array<const double*, Dim>& b, Index j,
                       double h) {
-    return static_cast<double>(
-        kernel_at(vec_cast<Real>(at<double>(a, i) - at<double>(b, j)), static_cast<Real>(h)));
+    const Vec<Dim> x = at<double>(a, i) - at<double>(b, j);
+    if (norm2(x) >= 4 * h * h) return 0;  // in the list by its skin only
+    return static_cast<double>(kernel_at(vec_cast<Real>(x), static_cast<Real>(h)));
 }
 
 /// Σ_k force_of(k, i, neighbours) over the listed particles, in an order that does not depend on the threads.

@@ -7,17 +7,9 @@
 #pragma once
 
 #include "kernels/tile.hpp"
+#include "neighbor/isa.hpp"
 #include "neighbor/neighbor_list.hpp"
 #include "neighbor/parallel.hpp"
-
-// The body of the loop is compiled for several x86-64 levels and chosen when the program starts. Sanitizers do not
-// support that mechanism, and other compilers and processors get the plain build.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
-#define SLUICE_ISA_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), gnu::flatten]]
-#else
-#define SLUICE_ISA_CLONES
-#endif
 
 // Tells the compiler that the iterations of the loop below do not depend on each other. (omp simd says so too, but makes
 // arrays of every object declared in the loop, which GCC then cannot take apart into vector registers.)
@@ -66,7 +58,8 @@ template <bool EqualH, class Smoothing, int Outputs, int Dim, class Real, unsign
 }
 
 /// One group: store(i, sums) for each of its particles.
-template <class Smoothing, unsigned ReadsI, unsigned ReadsJ, int Outputs, class Real, int Dim, class Map, class Store>
+template <bool EqualH, class Smoothing, unsigned ReadsI, unsigned ReadsJ, int Outputs, class Real, int Dim, class Map,
+          class Store>
 SLUICE_ISA_CLONES void sum_group(const ParticleView<Dim>& a, const ParticleView<Dim>& b, std::span<const Index> queries,
                                  std::span<const Index> candidates, const Map& map, const Store& store) {
     Tile<Dim, Real, ReadsJ> tile;
@@ -75,18 +68,15 @@ SLUICE_ISA_CLONES void sum_group(const ParticleView<Dim>& a, const ParticleView<
     while (!candidates.empty()) {
         const auto chunk = candidates.first(std::min<std::size_t>(candidates.size(), tile_capacity));
         candidates = candidates.subspan(chunk.size());
-        const int lanes = tile.gather(b, chunk, origin);
-        for (std::size_t q = 0; q < queries.size(); ++q) {
-            const Self<Dim, Real, ReadsI> self(a, queries[q], origin);
-            if (tile.equal_h && tile.smoothing_length[0] == self.smoothing_length)
-                sum_over_lanes<true, Smoothing, Outputs>(self, tile, lanes, map, sums[q].c.data());
-            else
-                sum_over_lanes<false, Smoothing, Outputs>(self, tile, lanes, map, sums[q].c.data());
-        }
+        const int lanes = tile.template gather<EqualH>(b, chunk, origin);
+        for (std::size_t q = 0; q < queries.size(); ++q)
+            sum_over_lanes<EqualH, Smoothing, Outputs>(Self<Dim, Real, ReadsI>(a, queries[q], origin), tile, lanes, map,
+                                                       sums[q].c.data());
     }
     for (std::size_t q = 0; q < queries.size(); ++q) store(queries[q], sums[q]);
 }
 
+/// The list's reaches are the smoothing lengths, as for every list between particles.
 /// store(i, Σ_j map(ij)) for every listed particle, on all threads; map returns Vec<Outputs, Real>. Returns the number
 /// of directed pairs inside the support.
 template <class Smoothing, unsigned ReadsI, unsigned ReadsJ, int Outputs, class Real, int Dim, class Map, class Store>
@@ -96,8 +86,11 @@ std::uint64_t sum_pairs(const ParticleView<Dim>& a, const ParticleView<Dim>& b, 
 #pragma omp parallel for schedule(dynamic, 8) if (list.size() > parallel_threshold)
     for (std::int64_t g = 0; g < groups; ++g) {
         const auto group = static_cast<std::size_t>(g);
-        sum_group<Smoothing, ReadsI, ReadsJ, Outputs, Real>(a, b, list.queries(group), list.candidates(group), map,
-                                                            store);
+        const auto queries = list.queries(group), candidates = list.candidates(group);
+        if (list.equal_reach(group))
+            sum_group<true, Smoothing, ReadsI, ReadsJ, Outputs, Real>(a, b, queries, candidates, map, store);
+        else
+            sum_group<false, Smoothing, ReadsI, ReadsJ, Outputs, Real>(a, b, queries, candidates, map, store);
     }
     return list.pairs();
 }

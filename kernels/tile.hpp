@@ -57,8 +57,6 @@ struct alignas(64) Tile {
     alignas(64) Real pressure_over_rho2[lanes_if(column::pressure_over_rho2)];
     alignas(64) Real stress_over_rho2[sym_components<Dim>][lanes_if(column::stress_over_rho2)];
     alignas(64) Real artificial_stress[sym_components<Dim>][lanes_if(column::artificial_stress)];
-    bool equal_h = true;  ///< all lanes have the smoothing length of the first
-
     template <int N, int Lanes>
     static Vec<N, Real> tuple(const Real (&columns)[N][Lanes], int j) {
         Vec<N, Real> v;
@@ -67,16 +65,14 @@ struct alignas(64) Tile {
     }
 
     /// Gathers the candidates (at most tile_capacity) and fills up with partners out of every support and of no mass.
-    /// Returns the lanes to go over, a multiple of lane_multiple.
+    /// Smoothing lengths are left out if all are known to equal i's. Returns the lanes to go over, a multiple of
+    /// lane_multiple.
+    template <bool EqualH>
     int gather(const ParticleView<Dim>& b, std::span<const Index> candidates, const Vec<Dim>& origin) {
         const int n = static_cast<int>(candidates.size());
         for (int k = 0; k < Dim; ++k)
             fill(position[k], candidates, [&, column = b.position[static_cast<std::size_t>(k)]](Index j) { return column[j] - origin[k]; });
-        fill(smoothing_length, candidates, [&](Index j) { return b.smoothing_length[j]; });
-        const Real h = smoothing_length[0];
-        int different = 0;
-        for (int l = 0; l < n; ++l) different += smoothing_length[l] != h;
-        equal_h = different == 0;
+        if constexpr (!EqualH) fill_scalar(smoothing_length, candidates, b.smoothing_length);
         if constexpr (Reads & column::velocity) fill_tuple(velocity, candidates, b.velocity);
         if constexpr (Reads & column::mass) fill_scalar(mass, candidates, b.mass);
         if constexpr (Reads & column::volume) fill_scalar(volume, candidates, b.volume);
@@ -85,7 +81,7 @@ struct alignas(64) Tile {
         if constexpr (Reads & column::pressure_over_rho2) fill_scalar(pressure_over_rho2, candidates, b.pressure_over_rho2);
         if constexpr (Reads & column::stress_over_rho2) fill_tuple(stress_over_rho2, candidates, b.stress_over_rho2);
         if constexpr (Reads & column::artificial_stress) fill_tuple(artificial_stress, candidates, b.artificial_stress);
-        return pad(n);
+        return pad<EqualH>(n, static_cast<Real>(b.smoothing_length[candidates[0]]));
     }
 
   private:
@@ -104,11 +100,12 @@ struct alignas(64) Tile {
 
     /// Copies of the first partner, moved out of every support and without mass or volume: every term is zero there,
     /// and finite.
-    int pad(int n) {
+    template <bool EqualH>
+    int pad(int n, Real h) {
         const int padded = (n + lane_multiple<Real> - 1) & -lane_multiple<Real>;
         const auto repeat = [&](Real* lanes) { for (int l = n; l < padded; ++l) lanes[l] = lanes[0]; };
-        repeat(smoothing_length);
-        for (int l = n; l < padded; ++l) position[0][l] = position[0][0] + far * smoothing_length[0];
+        if constexpr (!EqualH) repeat(smoothing_length);
+        for (int l = n; l < padded; ++l) position[0][l] = position[0][0] + far * h;
         for (int k = 1; k < Dim; ++k) repeat(position[k]);
         if constexpr (Reads & column::velocity) for (auto& lanes : velocity) repeat(lanes);
         if constexpr (Reads & column::mass) for (int l = n; l < padded; ++l) mass[l] = 0;

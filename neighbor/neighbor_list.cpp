@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
+#include "neighbor/isa.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -15,6 +17,7 @@ void NeighborList::clear() {
     query_start_.assign(1, 0);
     candidate_.clear();
     candidate_start_.assign(1, 0);
+    equal_reach_.clear();
     pairs_ = 0;
 }
 
@@ -33,45 +36,55 @@ struct Extent {
                 hi[k] = std::max(hi[k], position.c[static_cast<std::size_t>(k)][i]);
             }
     }
-    double distance2(const Vec<Dim>& x) const {
-        double d2 = 0;
-        for (int k = 0; k < Dim; ++k) {
-            const double gap = std::max({0.0, x[k] - hi[k], lo[k] - x[k]});
-            d2 += gap * gap;
-        }
-        return d2;
-    }
 };
 
-/// A group's positions and reaches in a fixed number of lanes, for counting pairs without a branch.
+/// Squared distance of x from the box; 0 inside.
 template <int Dim>
-class GroupMembers {
-  public:
-    GroupMembers(const VectorField<Dim>& position, std::span<const Index> group, const PairReach& reach) {
-        for (std::size_t m = 0; m < max_group_size; ++m) {
-            const bool there = m < group.size();
-            for (std::size_t k = 0; k < Dim; ++k) x_[k][m] = there ? position.c[k][group[m]] : nowhere;
-            reach_[m] = there ? reach.of_query(group[m]) : 0;
-        }
-    }
-    double largest_reach() const { return *std::max_element(reach_, reach_ + max_group_size); }
-    /// How many members are closer to x than their reach and this one's.
-    int within_support(const Vec<Dim>& x, double reach) const {
-        int count = 0;
-        for (int m = 0; m < max_group_size; ++m) {
-            double d2 = 0;
-            unroll<Dim>([&](int k) { d2 += (x_[k][m] - x[k]) * (x_[k][m] - x[k]); });
-            const double support = reach_[m] + reach;
-            count += d2 < support * support;
-        }
-        return count;
-    }
+inline double distance2(const Extent<Dim>& box, const Vec<Dim>& x) {
+    double d2 = 0;
+    unroll<Dim>([&](int k) {
+        const double gap = larger(larger(x[k] - box.hi[k], box.lo[k] - x[k]), 0.0);
+        d2 += gap * gap;
+    });
+    return d2;
+}
 
-  private:
-    static constexpr double nowhere = 1e200;
-    double x_[Dim][max_group_size];
-    double reach_[max_group_size];
-};
+/// near[t] = 1 for those targets that are closer to the box than cut + their reach.
+template <int Dim>
+SLUICE_ISA_CLONES void mark_near_box(const NearTargets<Dim>& targets, const Extent<Dim>& box, double cut,
+                                     std::uint8_t* near) {
+    const std::size_t n = targets.index.size();
+    const double* reach = targets.reach.data();
+    std::array<const double*, Dim> x;
+    for (std::size_t k = 0; k < Dim; ++k) x[k] = targets.x[k].data();
+#pragma GCC ivdep
+    for (std::size_t t = 0; t < n; ++t) {
+        Vec<Dim> at;
+        unroll<Dim>([&](int k) { at[k] = x[static_cast<std::size_t>(k)][t]; });
+        const double limit = cut + reach[t];
+        near[t] = distance2(box, at) < limit * limit;
+    }
+}
+
+/// How many targets are closer to x than reach + their reach.
+template <int Dim>
+SLUICE_ISA_CLONES std::uint64_t count_within(const NearTargets<Dim>& targets, const Vec<Dim>& from, double reach) {
+    const std::size_t n = targets.index.size();
+    const double* target_reach = targets.reach.data();
+    std::array<const double*, Dim> x;
+    for (std::size_t k = 0; k < Dim; ++k) x[k] = targets.x[k].data();
+    std::int64_t count = 0;
+    for (std::size_t t = 0; t < n; ++t) {
+        double d2 = 0;
+        unroll<Dim>([&](int k) {
+            const double d = from[k] - x[static_cast<std::size_t>(k)][t];
+            d2 += d * d;
+        });
+        const double support = reach + target_reach[t];
+        count += d2 < support * support;
+    }
+    return static_cast<std::uint64_t>(count);
+}
 
 /// Lower bound for the squared distance between a box [lo, hi] and a cell of the grid.
 template <int Dim>
@@ -101,25 +114,32 @@ void for_coordinates(const std::array<std::int64_t, Dim>& lo, const std::array<s
     }
 }
 
-/// The occupied target cells that can hold a neighbour of some particle in [lo, hi] with this reach.
+/// Packs the targets that lie in cells which can hold a neighbour of some particle in the box with this reach.
 template <int Dim>
-void find_near_cells(const Vec<Dim>& lo, const Vec<Dim>& hi, double reach, const CellGrid<Dim>& target,
-                     double target_scale, Array<const Cell<Dim>*>& near_cells) {
-    near_cells.clear();
-    const double farthest = reach + target_scale * target.max_reach();
+void pack_near_targets(const Extent<Dim>& box, double reach, const typename NeighborSearch<Dim>::Set& target,
+                       const PairReach& pair_reach, NearTargets<Dim>& near) {
+    near.clear();
+    const CellGrid<Dim>& grid = target.grid;
+    const double farthest = reach + pair_reach.target_scale * grid.max_reach();
     std::array<std::int64_t, Dim> first, last;
     for (int k = 0; k < Dim; ++k) {
         const auto kk = static_cast<std::size_t>(k);
-        first[kk] = static_cast<std::int64_t>(std::floor((lo[k] - farthest - target.origin()[k]) / target.cell_size()));
-        last[kk] = static_cast<std::int64_t>(std::floor((hi[k] + farthest - target.origin()[k]) / target.cell_size()));
+        first[kk] = static_cast<std::int64_t>(std::floor((box.lo[k] - farthest - grid.origin()[k]) / grid.cell_size()));
+        last[kk] = static_cast<std::int64_t>(std::floor((box.hi[k] + farthest - grid.origin()[k]) / grid.cell_size()));
     }
     for_coordinates<Dim>(first, last, [&](const auto& c) {
-        const double d2 = box_distance2<Dim>(lo, hi, target, c) * (1 - 1e-12);  // the cell's edges are rounded
+        const double d2 = box_distance2<Dim>(box.lo, box.hi, grid, c) * (1 - 1e-12);  // the cell's edges are rounded
         if (d2 > farthest * farthest) return;
-        const Cell<Dim>* cell = target.find(c);
+        const Cell<Dim>* cell = grid.find(c);
         if (!cell) return;
-        const double cut = reach + target_scale * cell->reach;
-        if (d2 <= cut * cut) near_cells.push_back(cell);
+        const double cut = reach + pair_reach.target_scale * cell->reach;
+        if (d2 > cut * cut) return;
+        for (Index t = cell->begin; t < cell->end; ++t) {
+            const Index j = grid.order()[t];
+            near.index.push_back(j);
+            near.reach.push_back(pair_reach.of_target(j));
+            for (std::size_t k = 0; k < Dim; ++k) near.x[k].push_back(target.position.c[k][j]);
+        }
     });
 }
 
@@ -130,44 +150,48 @@ void NeighborSearch<Dim>::search_group(const Job& job, std::span<const Index> gr
     const auto& [query, owned, target, reach, group_size] = job;
     const bool same_set = &query.position == &target.position;
     const bool without_itself = same_set && group_size == 1;
-    const GroupMembers<Dim> members(query.position, group, reach);
-    const double group_cut = reach.skin + members.largest_reach();
-    const Extent<Dim> extent(query.position, group);
+    double group_reach = 0;
+    for (const Index i : group) group_reach = std::max(group_reach, reach.of_query(i));
+    const NearTargets<Dim>& near = share.near;
+    share.is_near.resize(near.index.size());
+    mark_near_box(near, Extent<Dim>(query.position, group), reach.skin + group_reach, share.is_near.data());
     const std::size_t before = share.candidate.size();
-    std::uint64_t pairs = 0;
-    for (const Cell<Dim>* near : share.near_cells)
-        for (Index t = near->begin; t < near->end; ++t) {
-            const Index j = target.grid.order()[t];
-            const Vec<Dim> x = target.position[j];
-            const double reach_j = reach.of_target(j), cut = group_cut + reach_j;
-            if (extent.distance2(x) >= cut * cut || (without_itself && group[0] == j)) continue;
-            share.candidate.push_back(j);
-            pairs += static_cast<std::uint64_t>(members.within_support(x, reach_j));
-        }
-    if (share.candidate.size() == before) return;
-    share.pairs += pairs - (same_set && !without_itself ? group.size() : 0);  // each found itself
-    share.candidate_count.push_back(static_cast<Index>(share.candidate.size() - before));
+    share.candidate.resize(before + near.index.size());
+    std::size_t end = before;
+    bool equal = true;
+    for (const Index i : group) equal = equal && reach.of_query(i) == group_reach;
+    for (std::size_t t = 0; t < near.index.size(); ++t) {  // without a branch: write always, go on if it counts
+        share.candidate[end] = near.index[t];
+        end += share.is_near[t] && !(without_itself && near.index[t] == group[0]);
+        equal = equal && (!share.is_near[t] || near.reach[t] == group_reach);
+    }
+    share.candidate.resize(end);
+    if (end == before) return;
+    for (const Index i : group) share.pairs += count_within(near, query.position[i], reach.of_query(i));
+    if (same_set) share.pairs -= group.size();  // each found itself
+    share.candidate_count.push_back(static_cast<Index>(end - before));
     share.query.insert(share.query.end(), group.begin(), group.end());
     share.query_count.push_back(static_cast<Index>(group.size()));
+    share.equal_reach.push_back(equal);
 }
 
 template <int Dim>
 void NeighborSearch<Dim>::search_cells(const Job& job, Share& share) {
     for (Array<Index>* a : {&share.query, &share.query_count, &share.candidate, &share.candidate_count}) a->clear();
+    share.equal_reach.clear();
     share.pairs = 0;
     const auto& order = job.query.grid.order();
     for (std::size_t c = share.first_cell; c < share.last_cell; ++c) {
         const Cell<Dim>& cell = job.query.grid.cells()[c];
-        const std::span<const Index> members{order.data() + cell.begin, cell.end - cell.begin};
-        // Far tighter than the cell's own box where particles have different reaches or the cell is half empty.
-        const Extent<Dim> extent(job.query.position, members);
-        find_near_cells<Dim>(extent.lo, extent.hi, job.reach.query_scale * cell.reach + job.reach.skin, job.target.grid,
-                             job.reach.target_scale, share.near_cells);
-        if (share.near_cells.empty()) continue;
-        // Groups of nearly equal size: eleven particles as six and five lie closer together than as eight and three.
         share.members.clear();
-        for (const Index i : members)
-            if (i < job.owned) share.members.push_back(i);
+        for (Index m = cell.begin; m < cell.end; ++m)
+            if (order[m] < job.owned) share.members.push_back(order[m]);
+        if (share.members.empty()) continue;
+        // The members' own extent is far tighter than the cell where it is half empty.
+        pack_near_targets<Dim>(Extent<Dim>(job.query.position, share.members),
+                               job.reach.query_scale * cell.reach + job.reach.skin, job.target, job.reach, share.near);
+        if (share.near.index.empty()) continue;
+        // Groups of nearly equal size: eleven particles as six and five lie closer together than as eight and three.
         const std::size_t n = share.members.size(), size = static_cast<std::size_t>(job.group_size);
         const std::size_t groups = (n + size - 1) / size;
         for (std::size_t g = 0; g < groups; ++g) {
@@ -185,6 +209,7 @@ void NeighborSearch<Dim>::join(NeighborList& list) const {
         list.candidate_.insert(list.candidate_.end(), share.candidate.begin(), share.candidate.end());
         for (const Index n : share.query_count) list.query_start_.push_back(list.query_start_.back() + n);
         for (const Index n : share.candidate_count) list.candidate_start_.push_back(list.candidate_start_.back() + n);
+        list.equal_reach_.insert(list.equal_reach_.end(), share.equal_reach.begin(), share.equal_reach.end());
         list.pairs_ += share.pairs;
     }
 }

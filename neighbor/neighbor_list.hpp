@@ -42,13 +42,15 @@ class NeighborList {
     std::span<const Index> candidates(std::size_t group) const {
         return {candidate_.data() + candidate_start_[group], candidate_start_[group + 1] - candidate_start_[group]};
     }
+    /// True if a group's particles and all its candidates have one and the same reach.
+    bool equal_reach(std::size_t group) const { return equal_reach_[group] != 0; }
     /// Particles in all groups.
     std::size_t size() const { return query_.size(); }
     /// Directed pairs within the cut-off, without the skin and without a particle itself, when the list was built.
     std::uint64_t pairs() const { return pairs_; }
     std::size_t bytes() const {
         return (query_.capacity() + candidate_.capacity() + query_start_.capacity()) * sizeof(Index) +
-               candidate_start_.capacity() * sizeof(std::uint64_t);
+               candidate_start_.capacity() * sizeof(std::uint64_t) + equal_reach_.capacity();
     }
     void clear();
 
@@ -60,7 +62,22 @@ class NeighborList {
     Array<Index> query_start_{0};
     Array<Index> candidate_;
     Array<std::uint64_t> candidate_start_{0};
+    Array<std::uint8_t> equal_reach_;
     std::uint64_t pairs_ = 0;
+};
+
+/// Targets around one cell, packed: read once from memory, then tested against each of the cell's groups.
+template <int Dim>
+struct NearTargets {
+    std::array<ScalarField, Dim> x;
+    ScalarField reach;
+    Array<Index> index;
+
+    void clear() {
+        for (auto& column : x) column.clear();
+        reach.clear();
+        index.clear();
+    }
 };
 
 /// Builds lists from cell grids; keeps its buffers between builds.
@@ -85,9 +102,11 @@ class NeighborSearch {
     struct Share {
         std::size_t first_cell = 0, last_cell = 0;
         Array<Index> query, query_count, candidate, candidate_count;
+        Array<std::uint8_t> equal_reach;
         Array<Index> members;  ///< owned particles of the cell in hand
         std::uint64_t pairs = 0;
-        Array<const Cell<Dim>*> near_cells;
+        NearTargets<Dim> near;           ///< of the cell in hand
+        Array<std::uint8_t> is_near;     ///< of the group in hand
     };
     /// One call of build().
     struct Job {
