@@ -118,7 +118,7 @@ void for_coordinates(const std::array<std::int64_t, Dim>& lo, const std::array<s
 template <int Dim>
 void pack_near_targets(const Extent<Dim>& box, double reach, const typename NeighborSearch<Dim>::Set& target,
                        const PairReach& pair_reach, NearTargets<Dim>& near) {
-    near.clear();
+    near.resize(0);
     const CellGrid<Dim>& grid = target.grid;
     const double farthest = reach + pair_reach.target_scale * grid.max_reach();
     std::array<std::int64_t, Dim> first, last;
@@ -134,12 +134,13 @@ void pack_near_targets(const Extent<Dim>& box, double reach, const typename Neig
         if (!cell) return;
         const double cut = reach + pair_reach.target_scale * cell->reach;
         if (d2 > cut * cut) return;
-        for (Index t = cell->begin; t < cell->end; ++t) {
-            const Index j = grid.order()[t];
-            near.index.push_back(j);
-            near.reach.push_back(pair_reach.of_target(j));
-            for (std::size_t k = 0; k < Dim; ++k) near.x[k].push_back(target.position.c[k][j]);
-        }
+        const std::size_t before = near.index.size(), count = cell->end - cell->begin;
+        near.resize(before + count);
+        const Index* members = grid.order().data() + cell->begin;
+        for (std::size_t t = 0; t < count; ++t) near.index[before + t] = members[t];
+        for (std::size_t t = 0; t < count; ++t) near.reach[before + t] = pair_reach.of_target(members[t]);
+        for (std::size_t k = 0; k < Dim; ++k)
+            for (std::size_t t = 0; t < count; ++t) near.x[k][before + t] = target.position.c[k][members[t]];
     });
 }
 

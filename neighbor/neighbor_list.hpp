@@ -73,10 +73,10 @@ struct NearTargets {
     ScalarField reach;
     Array<Index> index;
 
-    void clear() {
-        for (auto& column : x) column.clear();
-        reach.clear();
-        index.clear();
+    void resize(std::size_t n) {
+        for (auto& column : x) column.resize(n);
+        reach.resize(n);
+        index.resize(n);
     }
 };
 
