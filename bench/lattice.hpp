@@ -36,7 +36,8 @@ struct Block {
         velocity.resize(count);
         stress.resize(count);
         artificial.resize(count);
-        for (auto& column : velocity.c) for (double& v : column) v = jitter(random);
+        for (auto& column : velocity.c)
+            for (double& v : column) v = jitter(random);
         h.assign(count, h_over_d * d);
         mass.assign(count, 1000 * std::pow(d, Dim));
         density.assign(count, 1000);

@@ -26,7 +26,8 @@ void run_pass(benchmark::State& state, Pass&& pass) {
     }
     state.counters["pairs/s"] =
         benchmark::Counter(static_cast<double>(block.list.pairs()), benchmark::Counter::kIsIterationInvariantRate);
-    state.counters["pairs/particle"] = static_cast<double>(block.list.pairs()) / static_cast<double>(block.position.size());
+    state.counters["pairs/particle"] =
+        static_cast<double>(block.list.pairs()) / static_cast<double>(block.position.size());
     state.counters["candidates/pair"] = [&] {
         double lanes = 0;
         for (std::size_t g = 0; g < block.list.groups(); ++g)
@@ -58,10 +59,10 @@ void solid_rates_pass(benchmark::State& state) {
     run_pass<Dim>(state, [](auto& b, auto&, auto& s, auto& t) { solid_rates<Dim, Real>(b.view(), b.list, s, t); });
 }
 
-#define SLUICE_PASS(pass)                                                                                          \
-    BENCHMARK_TEMPLATE(pass, 2, double)->ArgsProduct({{6000, 100000}, {150}, {4, 8}})->MeasureProcessCPUTime();    \
-    BENCHMARK_TEMPLATE(pass, 2, float)->ArgsProduct({{6000, 100000}, {150}, {8}})->MeasureProcessCPUTime();        \
-    BENCHMARK_TEMPLATE(pass, 3, double)->ArgsProduct({{100000}, {120, 150}, {8}})->MeasureProcessCPUTime();        \
+#define SLUICE_PASS(pass)                                                                                       \
+    BENCHMARK_TEMPLATE(pass, 2, double)->ArgsProduct({{6000, 100000}, {150}, {4, 8}})->MeasureProcessCPUTime(); \
+    BENCHMARK_TEMPLATE(pass, 2, float)->ArgsProduct({{6000, 100000}, {150}, {8}})->MeasureProcessCPUTime();     \
+    BENCHMARK_TEMPLATE(pass, 3, double)->ArgsProduct({{100000}, {120, 150}, {8}})->MeasureProcessCPUTime();     \
     BENCHMARK_TEMPLATE(pass, 3, float)->ArgsProduct({{100000}, {120, 150}, {8}})->MeasureProcessCPUTime();
 SLUICE_PASS(fluid_momentum_pass)
 SLUICE_PASS(continuity_pass)

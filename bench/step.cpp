@@ -17,7 +17,11 @@ void step_of(benchmark::State& state, const char* scene) {
         benchmark::Counter(static_cast<double>(simulation.work().particle_steps - before), benchmark::Counter::kIsRate);
 }
 BENCHMARK_CAPTURE(step_of, elastic_gate, "elastic_gate")->Arg(1)->Arg(2)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(step_of, oscillating_plate, "oscillating_plate")->Arg(1)->Arg(2)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(step_of, oscillating_plate, "oscillating_plate")
+    ->Arg(1)
+    ->Arg(2)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace sluice::bench

@@ -67,17 +67,28 @@ const std::array<Row, effect_count> table{{
     {{Effect::fluid_pressure, "fluid: continuity, pressure, linear equation of state", "Antoci2007 eqs. 4, 8, 10"},
      [](const Scene&, const SceneContent& c) { return needs_fluid(c); }},
     {{Effect::fluid_viscosity, "fluid: artificial viscosity", "Antoci2007 eq. 12"},
-     [](const Scene& s, const SceneContent& c) { return by_constant(needs_fluid(c), "alpha", s.method.fluid.artificial_viscosity, 0); }},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_fluid(c), "alpha", s.method.fluid.artificial_viscosity, 0);
+     }},
     {{Effect::velocity_filter, "fluid: velocity filter", "Antoci2007 eq. 16"},
-     [](const Scene& s, const SceneContent& c) { return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1); }},
-    {{Effect::solid_stress, "solid: continuity, hypoelastic stress with Jaumann rate", "Antoci2007 eqs. 4, 5, 8, 11, 15"},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1);
+     }},
+    {{Effect::solid_stress, "solid: continuity, hypoelastic stress with Jaumann rate",
+      "Antoci2007 eqs. 4, 5, 8, 11, 15"},
      [](const Scene&, const SceneContent& c) { return needs_solid(c); }},
     {{Effect::solid_viscosity, "solid: artificial viscosity", "Antoci2007 eq. 12"},
-     [](const Scene& s, const SceneContent& c) { return by_constant(needs_solid(c), "alpha", s.method.solid.artificial_viscosity, 0); }},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_solid(c), "alpha", s.method.solid.artificial_viscosity, 0);
+     }},
     {{Effect::artificial_stress, "solid: artificial stress", "Antoci2007 eqs. 13, 14"},
-     [](const Scene& s, const SceneContent& c) { return by_constant(needs_solid(c), "e", s.method.solid.artificial_stress, 0); }},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_solid(c), "e", s.method.solid.artificial_stress, 0);
+     }},
     {{Effect::solid_filter, "solid: velocity filter", "Antoci2007 eq. 16"},
-     [](const Scene& s, const SceneContent& c) { return by_constant(needs_solid(c), "theta", s.method.solid.velocity_filter, 1); }},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_solid(c), "theta", s.method.solid.velocity_filter, 1);
+     }},
     {{Effect::interface_force, "interface: force, reaction and kinematic condition", "Antoci2007 eqs. 24-30"},
      [](const Scene&, const SceneContent& c) {
          if (!c.fluid || !c.solid) return Decision{false, c.fluid ? "no solid body" : "no fluid body"};

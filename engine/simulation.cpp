@@ -24,7 +24,8 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>
     const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium) {
         if (!medium) return;
         const auto& h = phase.smoothing_length;
-        limits.push_back({medium->name, scene.method.courant * *std::min_element(h.begin(), h.end()) / medium->eos.sound_speed});
+        limits.push_back(
+            {medium->name, scene.method.courant * *std::min_element(h.begin(), h.end()) / medium->eos.sound_speed});
     };
     add(state.fluid, state.water);
     add(state.solid, state.rubber);
@@ -33,7 +34,8 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>
 
 double time_step_of(const Scene& scene, const std::vector<CourantLimit>& limits) {
     if (scene.method.time_step) return *scene.method.time_step;
-    const auto least = std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.dt < b.dt; });
+    const auto least =
+        std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.dt < b.dt; });
     return least->dt;
 }
 
@@ -56,7 +58,8 @@ struct Simulation<Dim>::Impl {
                            r.artificial_stress_exponent, scene.method.smoothing_length};
         if (state.water) max_speed = highest_speed(state.fluid);
         update_pressure_and_stress();
-        update_boundary_pressures<double>();  // so that the first output shows what the start means for walls and solids
+        update_boundary_pressures<double>();  // so that the first output shows what the start means for walls and
+                                              // solids
     }
 
     /// The staggered explicit Euler scheme of the paper: velocities at n ± 1/2, everything else at n. Rates of density
@@ -89,7 +92,8 @@ struct Simulation<Dim>::Impl {
 
     void start_accelerations() {
         const auto scope = timer.measure(StepPhase::update);
-        for (PhaseBase<Dim>* phase : {static_cast<PhaseBase<Dim>*>(&state.fluid), static_cast<PhaseBase<Dim>*>(&state.solid)})
+        for (PhaseBase<Dim>* phase :
+             {static_cast<PhaseBase<Dim>*>(&state.fluid), static_cast<PhaseBase<Dim>*>(&state.solid)})
             parallel_for(phase->owned, [&](std::size_t i) { phase->acceleration.set(i, state.gravity); });
     }
 
@@ -97,7 +101,8 @@ struct Simulation<Dim>::Impl {
     void fluid_forces() {
         if (!effects.has(Effect::fluid_pressure)) return;
         const auto scope = timer.measure(StepPhase::fluid_pass);
-        pairs += fluid_momentum<Dim, Real>(view_of(state.fluid), neighbors.fluid_fluid, fluid_terms, state.fluid.acceleration);
+        pairs += fluid_momentum<Dim, Real>(view_of(state.fluid), neighbors.fluid_fluid, fluid_terms,
+                                           state.fluid.acceleration);
     }
 
     template <class Real>
@@ -120,7 +125,8 @@ struct Simulation<Dim>::Impl {
     void solid_forces() {
         if (!effects.has(Effect::solid_stress)) return;
         const auto scope = timer.measure(StepPhase::solid_pass);
-        pairs += solid_momentum<Dim, Real>(view_of(state.solid), neighbors.solid_solid, solid_terms, state.solid.acceleration);
+        pairs += solid_momentum<Dim, Real>(view_of(state.solid), neighbors.solid_solid, solid_terms,
+                                           state.solid.acceleration);
     }
 
     template <class Real>
@@ -130,11 +136,10 @@ struct Simulation<Dim>::Impl {
         update_interface_pressure<Real>();
         const auto& e = state.elements;
         const auto elements = view_of(e);
-        const Vec<Dim> on_solid =
-            interface_force_on_solid<Dim, Real>(view_of(state.solid), elements, neighbors.solid_element, e.solid_weight,
-                                                e.force, state.solid.acceleration);
-        const Vec<Dim> on_fluid = interface_force_on_fluid<Dim, Real>(view_of(state.fluid), elements,
-                                                                      neighbors.fluid_element, state.fluid.acceleration);
+        const Vec<Dim> on_solid = interface_force_on_solid<Dim, Real>(
+            view_of(state.solid), elements, neighbors.solid_element, e.solid_weight, e.force, state.solid.acceleration);
+        const Vec<Dim> on_fluid = interface_force_on_fluid<Dim, Real>(
+            view_of(state.fluid), elements, neighbors.fluid_element, state.fluid.acceleration);
         record_balance(on_solid, on_fluid);
     }
 
@@ -182,7 +187,9 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::update);
         auto& fluid = state.fluid;
         auto& solid = state.solid;
-        parallel_for(fluid.owned, [&](std::size_t i) { fluid.velocity.set(i, fluid.velocity[i] + interval * fluid.acceleration[i]); });
+        parallel_for(fluid.owned, [&](std::size_t i) {
+            fluid.velocity.set(i, fluid.velocity[i] + interval * fluid.acceleration[i]);
+        });
         parallel_for(solid.owned, [&](std::size_t i) {
             if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + interval * solid.acceleration[i]);
         });
@@ -193,15 +200,17 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::filter_pass);
         if (effects.has(Effect::velocity_filter)) {
             neighbors.refresh_fluid_velocities();
-            pairs += velocity_filter<Dim, Real>(view_of(state.fluid), neighbors.fluid_fluid, scene.method.fluid.velocity_filter,
-                                                state.fluid.velocity_correction);
+            pairs += velocity_filter<Dim, Real>(view_of(state.fluid), neighbors.fluid_fluid,
+                                                scene.method.fluid.velocity_filter, state.fluid.velocity_correction);
             auto& fluid = state.fluid;
-            parallel_for(fluid.owned, [&](std::size_t i) { fluid.velocity.set(i, fluid.velocity[i] + fluid.velocity_correction[i]); });
+            parallel_for(fluid.owned, [&](std::size_t i) {
+                fluid.velocity.set(i, fluid.velocity[i] + fluid.velocity_correction[i]);
+            });
         }
         if (effects.has(Effect::solid_filter)) {
             auto& solid = state.solid;
-            pairs += velocity_filter<Dim, Real>(view_of(solid), neighbors.solid_solid, scene.method.solid.velocity_filter,
-                                                solid.velocity_correction);
+            pairs += velocity_filter<Dim, Real>(view_of(solid), neighbors.solid_solid,
+                                                scene.method.solid.velocity_filter, solid.velocity_correction);
             parallel_for(solid.owned, [&](std::size_t i) {
                 if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + solid.velocity_correction[i]);
             });
@@ -210,7 +219,8 @@ struct Simulation<Dim>::Impl {
 
     void drift(double interval) {
         const auto scope = timer.measure(StepPhase::update);
-        for (PhaseBase<Dim>* phase : {static_cast<PhaseBase<Dim>*>(&state.fluid), static_cast<PhaseBase<Dim>*>(&state.solid)})
+        for (PhaseBase<Dim>* phase :
+             {static_cast<PhaseBase<Dim>*>(&state.fluid), static_cast<PhaseBase<Dim>*>(&state.solid)})
             parallel_for(phase->owned, [&](std::size_t i) {
                 phase->position.set(i, phase->position[i] + interval * phase->velocity[i]);
             });
@@ -223,12 +233,14 @@ struct Simulation<Dim>::Impl {
         if (effects.has(Effect::solid_stress)) {
             const auto scope = timer.measure(StepPhase::gradient_pass);
             std::fill(state.solid.density_rate.begin(), state.solid.density_rate.end(), 0.0);
-            pairs += solid_rates<Dim, Real>(view_of(state.solid), neighbors.solid_solid, state.solid.density_rate, state.solid.velocity_gradient);
+            pairs += solid_rates<Dim, Real>(view_of(state.solid), neighbors.solid_solid, state.solid.density_rate,
+                                            state.solid.velocity_gradient);
         }
         if (effects.has(Effect::interface_force)) {
             const auto scope = timer.measure(StepPhase::interface_pass);
             update_elements<Real>();
-            interface_continuity<Dim, Real>(view_of(state.fluid), view_of(state.elements), neighbors.fluid_element, state.fluid.density_rate);
+            interface_continuity<Dim, Real>(view_of(state.fluid), view_of(state.elements), neighbors.fluid_element,
+                                            state.fluid.density_rate);
         }
     }
 
@@ -243,7 +255,8 @@ struct Simulation<Dim>::Impl {
         }
         if (!effects.has(Effect::fixed_wall)) return;
         const auto scope = timer.measure(StepPhase::wall_pass);
-        pairs += fixed_ghost_continuity<Dim, Real>(view_of(fluid), view_of(state.wall), neighbors.fluid_wall, fluid.density_rate);
+        pairs += fixed_ghost_continuity<Dim, Real>(view_of(fluid), view_of(state.wall), neighbors.fluid_wall,
+                                                   fluid.density_rate);
     }
 
     void advance_material() {
@@ -294,23 +307,41 @@ void Simulation<Dim>::step() {
 }
 
 template <int Dim>
-double Simulation<Dim>::time() const { return static_cast<double>(impl_->steps) * impl_->dt; }
+double Simulation<Dim>::time() const {
+    return static_cast<double>(impl_->steps) * impl_->dt;
+}
 template <int Dim>
-double Simulation<Dim>::time_step() const { return impl_->dt; }
+double Simulation<Dim>::time_step() const {
+    return impl_->dt;
+}
 template <int Dim>
-const std::vector<CourantLimit>& Simulation<Dim>::courant_limits() const { return impl_->limits; }
+const std::vector<CourantLimit>& Simulation<Dim>::courant_limits() const {
+    return impl_->limits;
+}
 template <int Dim>
-const Scene& Simulation<Dim>::scene() const { return impl_->scene; }
+const Scene& Simulation<Dim>::scene() const {
+    return impl_->scene;
+}
 template <int Dim>
-const Effects& Simulation<Dim>::effects() const { return impl_->effects; }
+const Effects& Simulation<Dim>::effects() const {
+    return impl_->effects;
+}
 template <int Dim>
-const FluidPhase<Dim>& Simulation<Dim>::fluid() const { return impl_->state.fluid; }
+const FluidPhase<Dim>& Simulation<Dim>::fluid() const {
+    return impl_->state.fluid;
+}
 template <int Dim>
-const SolidPhase<Dim>& Simulation<Dim>::solid() const { return impl_->state.solid; }
+const SolidPhase<Dim>& Simulation<Dim>::solid() const {
+    return impl_->state.solid;
+}
 template <int Dim>
-const WallPhase<Dim>& Simulation<Dim>::wall() const { return impl_->state.wall; }
+const WallPhase<Dim>& Simulation<Dim>::wall() const {
+    return impl_->state.wall;
+}
 template <int Dim>
-const InterfaceElements<Dim>& Simulation<Dim>::interface() const { return impl_->state.elements; }
+const InterfaceElements<Dim>& Simulation<Dim>::interface() const {
+    return impl_->state.elements;
+}
 
 template <int Dim>
 WorkCount Simulation<Dim>::work() const {
@@ -318,11 +349,17 @@ WorkCount Simulation<Dim>::work() const {
     return {impl_->steps, impl_->steps * moving, impl_->pairs, impl_->neighbors.builds()};
 }
 template <int Dim>
-const PhaseTimer& Simulation<Dim>::timer() const { return impl_->timer; }
+const PhaseTimer& Simulation<Dim>::timer() const {
+    return impl_->timer;
+}
 template <int Dim>
-EnergyBalance Simulation<Dim>::energy() const { return energy_of(impl_->state); }
+EnergyBalance Simulation<Dim>::energy() const {
+    return energy_of(impl_->state);
+}
 template <int Dim>
-Vec<Dim> Simulation<Dim>::momentum() const { return momentum_of(impl_->state); }
+Vec<Dim> Simulation<Dim>::momentum() const {
+    return momentum_of(impl_->state);
+}
 
 template <int Dim>
 Vec<Dim> Simulation<Dim>::force_on(std::size_t body) const {
@@ -334,9 +371,13 @@ Vec<Dim> Simulation<Dim>::force_on(std::size_t body) const {
 }
 
 template <int Dim>
-InterfaceBalance Simulation<Dim>::interface_balance() const { return impl_->balance; }
+InterfaceBalance Simulation<Dim>::interface_balance() const {
+    return impl_->balance;
+}
 template <int Dim>
-double Simulation<Dim>::max_speed() const { return impl_->max_speed; }
+double Simulation<Dim>::max_speed() const {
+    return impl_->max_speed;
+}
 template <int Dim>
 double Simulation<Dim>::max_mach() const {
     return impl_->state.water ? impl_->max_speed / impl_->state.water->eos.sound_speed : 0.0;
@@ -344,10 +385,13 @@ double Simulation<Dim>::max_mach() const {
 template <int Dim>
 std::size_t Simulation<Dim>::memory_bytes() const {
     const auto& s = impl_->state;
-    return column_bytes(s.fluid) + column_bytes(s.solid) + column_bytes(s.wall) + column_bytes(s.elements) + impl_->neighbors.bytes();
+    return column_bytes(s.fluid) + column_bytes(s.solid) + column_bytes(s.wall) + column_bytes(s.elements) +
+           impl_->neighbors.bytes();
 }
 template <int Dim>
-const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const { return impl_->neighbors.solid_index_of_id(); }
+const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {
+    return impl_->neighbors.solid_index_of_id();
+}
 
 template class Simulation<2>;
 template class Simulation<3>;

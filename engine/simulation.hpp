@@ -9,6 +9,7 @@
 #include "engine/effects.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/state/phases.hpp"
+#include "engine/step/energy_balance.hpp"
 #include "engine/step/phase_timer.hpp"
 
 namespace sluice {
@@ -22,14 +23,9 @@ struct CourantLimit {
 /// What a run has cost so far, apart from time.
 struct WorkCount {
     std::uint64_t steps = 0;
-    std::uint64_t particle_steps = 0;     ///< fluid and solid particles advanced
-    std::uint64_t pairs = 0;              ///< directed pairs inside the support, summed over all pair passes
+    std::uint64_t particle_steps = 0;  ///< fluid and solid particles advanced
+    std::uint64_t pairs = 0;           ///< directed pairs inside the support, summed over all pair passes
     std::uint64_t neighbour_builds = 0;
-};
-
-struct EnergyBalance {
-    double kinetic = 0, potential = 0, compression = 0, elastic = 0;  ///< [J; J/m in 2D]
-    double total() const { return kinetic + potential + compression + elastic; }
 };
 
 /// Momentum handed from fluid to solid in the last step [N], and what is left when both sides are added up.
@@ -64,12 +60,12 @@ class Simulation {
     WorkCount work() const;
     const PhaseTimer& timer() const;
     EnergyBalance energy() const;
-    Vec<Dim> momentum() const;       ///< of all moving particles [kg m/s]
-    Vec<Dim> force_on(std::size_t body) const;  ///< of the fluid on a solid body [N; N/m in 2D]
-    InterfaceBalance interface_balance() const; ///< worst residual over all steps so far
-    double max_mach() const;         ///< highest |v|/c0 of the fluid so far
-    double max_speed() const;        ///< highest |v| of the fluid so far [m/s]
-    std::size_t memory_bytes() const;  ///< particle fields and neighbour lists
+    Vec<Dim> momentum() const;                   ///< of all moving particles [kg m/s]
+    Vec<Dim> force_on(std::size_t body) const;   ///< of the fluid on a solid body [N; N/m in 2D]
+    InterfaceBalance interface_balance() const;  ///< worst residual over all steps so far
+    double max_mach() const;                     ///< highest |v|/c0 of the fluid so far
+    double max_speed() const;                    ///< highest |v| of the fluid so far [m/s]
+    std::size_t memory_bytes() const;            ///< particle fields and neighbour lists
 
     /// Index in solid() of the particle with this id.
     const std::vector<Index>& solid_index_of_id() const;

@@ -47,11 +47,11 @@ std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const Neighbor
         });
 }
 
-#define SLUICE_INSTANTIATE(Dim, Real)                                                                              \
-    template std::uint64_t fluid_momentum<Dim, Real>(const ParticleView<Dim>&, const NeighborList&,               \
-                                                     const FluidTerms&, VectorField<Dim>&);                       \
-    template std::uint64_t continuity<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, ScalarField&);    \
-    template std::uint64_t velocity_filter<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, double,      \
+#define SLUICE_INSTANTIATE(Dim, Real)                                                                                  \
+    template std::uint64_t fluid_momentum<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&, \
+                                                     VectorField<Dim>&);                                               \
+    template std::uint64_t continuity<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, ScalarField&);         \
+    template std::uint64_t velocity_filter<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, double,           \
                                                       VectorField<Dim>&);
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)

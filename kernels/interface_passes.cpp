@@ -15,8 +15,8 @@ Real kernel_at(const Vec<Dim, Real>& x, Real h) {
 }
 
 template <int Dim, class Real>
-double kernel_between(const std::array<const double*, Dim>& a, Index i, const std::array<const double*, Dim>& b, Index j,
-                      double h) {
+double kernel_between(const std::array<const double*, Dim>& a, Index i, const std::array<const double*, Dim>& b,
+                      Index j, double h) {
     const Vec<Dim> x = at<double>(a, i) - at<double>(b, j);
     if (norm2(x) >= 4 * h * h) return 0;  // in the list by its skin only
     return static_cast<double>(kernel_at(vec_cast<Real>(x), static_cast<Real>(h)));
@@ -40,7 +40,8 @@ void interface_pressure(const ElementView<Dim>& elements, const ParticleView<Dim
         const Index k = list.queries(l)[0];
         double total = 0, from_images = 0;
         for (const Index b : list.candidates(l)) {
-            const double w = kernel_between<Dim, Real>(elements.position, k, fluid.position, b, fluid.smoothing_length[b]);
+            const double w =
+                kernel_between<Dim, Real>(elements.position, k, fluid.position, b, fluid.smoothing_length[b]);
             const double p = 2 * fluid.mass[b] / fluid.density[b] * fluid.pressure[b] * w;
             total += p;
             if (b >= owned_fluid) from_images += p;
@@ -59,8 +60,9 @@ void interface_weights(const ElementView<Dim>& elements, const ParticleView<Dim>
         double sum = 0;
         Vec<Dim> v;
         for (const Index a : list.candidates(l)) {
-            const double w = solid.mass[a] / solid.density[a] *
-                             kernel_between<Dim, Real>(elements.position, k, solid.position, a, solid.smoothing_length[a]);
+            const double w =
+                solid.mass[a] / solid.density[a] *
+                kernel_between<Dim, Real>(elements.position, k, solid.position, a, solid.smoothing_length[a]);
             sum += w;
             v += w * at<double>(solid.velocity, a);
         }
@@ -119,17 +121,17 @@ void interface_continuity(const ParticleView<Dim>& fluid, const ElementView<Dim>
     });
 }
 
-#define SLUICE_INSTANTIATE(Dim, Real)                                                                                \
-    template void interface_pressure<Dim, Real>(const ElementView<Dim>&, const ParticleView<Dim>&, std::size_t,     \
-                                                const NeighborList&, ScalarField&, ScalarField&);                   \
-    template void interface_weights<Dim, Real>(const ElementView<Dim>&, const ParticleView<Dim>&,                   \
-                                               const NeighborList&, ScalarField&, VectorField<Dim>&);               \
-    template Vec<Dim> interface_force_on_solid<Dim, Real>(const ParticleView<Dim>&, const ElementView<Dim>&,        \
-                                                          const NeighborList&, const ScalarField&,                  \
-                                                          const VectorField<Dim>&, VectorField<Dim>&);              \
-    template Vec<Dim> interface_force_on_fluid<Dim, Real>(const ParticleView<Dim>&, const ElementView<Dim>&,        \
-                                                          const NeighborList&, VectorField<Dim>&);                  \
-    template void interface_continuity<Dim, Real>(const ParticleView<Dim>&, const ElementView<Dim>&,                \
+#define SLUICE_INSTANTIATE(Dim, Real)                                                                                  \
+    template void interface_pressure<Dim, Real>(const ElementView<Dim>&, const ParticleView<Dim>&, std::size_t,        \
+                                                const NeighborList&, ScalarField&, ScalarField&);                      \
+    template void interface_weights<Dim, Real>(const ElementView<Dim>&, const ParticleView<Dim>&, const NeighborList&, \
+                                               ScalarField&, VectorField<Dim>&);                                       \
+    template Vec<Dim> interface_force_on_solid<Dim, Real>(const ParticleView<Dim>&, const ElementView<Dim>&,           \
+                                                          const NeighborList&, const ScalarField&,                     \
+                                                          const VectorField<Dim>&, VectorField<Dim>&);                 \
+    template Vec<Dim> interface_force_on_fluid<Dim, Real>(const ParticleView<Dim>&, const ElementView<Dim>&,           \
+                                                          const NeighborList&, VectorField<Dim>&);                     \
+    template void interface_continuity<Dim, Real>(const ParticleView<Dim>&, const ElementView<Dim>&,                   \
                                                   const NeighborList&, ScalarField&);
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)

@@ -18,18 +18,19 @@
 //   F_a = Σ_k w_ka f_k,   w_ka = V_a W_ka / Σ_c V_c W_kc                                                  (b)
 //
 // Fluid's side. Equation 29 asks for the opposite force, and action must equal reaction. By (a) each fluid particle b
-// contributes 2 V_b p_b W_kb ΔΓ_k to what it and its neighbours together exert on element k; so that is what it gets back:
+// contributes 2 V_b p_b W_kb ΔΓ_k to what it and its neighbours together exert on element k; so that is what it gets
+// back:
 //   F_b = Σ_k 2 V_b p_b W_kb n_k ΔΓ_k                                                                     (c)
 // Σ_b F_b = Σ_k p_k n_k ΔΓ_k = −Σ_k f_k: pair by pair, for any geometry. It is also what keeps the wall layer stable.
 // With (c) and (10) a particle at the interface feels −(1/ρ) Σ V_j (p_j − p_b) ∇W: higher pressure than its neighbours
-// drives it away from the wall. If it got back the mean p_k instead, the excess p_b − p_k of its own pressure would press
-// it *towards* the wall, and the layer would clump.
+// drives it away from the wall. If it got back the mean p_k instead, the excess p_b − p_k of its own pressure would
+// press it *towards* the wall, and the layer would clump.
 //
 // Kinematic condition. The same surface term in the continuity equation, in the normal direction only (slip is free):
 //   dρ_b/dt = −2 ρ_b Σ_k W_kb n_k ΔΓ_k · (v_b − v_k),   v_k = Σ_a w_ka v_a                               (d)
 // The 2 is that of a mirrored ghost, which moves with 2 v_k − v_b. (b), (c) and (d) form a conservative system: the
-// power of the forces, Σ_b F_b·v_b + Σ_a F_a·v_a = Σ_kb 2 V_b p_b W_kb n_k ΔΓ_k·(v_b − v_k), is exactly what the fluid's
-// compression p/ρ² dρ/dt takes up.
+// power of the forces, Σ_b F_b·v_b + Σ_a F_a·v_a = Σ_kb 2 V_b p_b W_kb n_k ΔΓ_k·(v_b − v_k), is exactly what the
+// fluid's compression p/ρ² dρ/dt takes up.
 #pragma once
 
 #include <cstdint>

@@ -16,14 +16,14 @@ struct ParticleView {
     template <int N>
     using Columns = std::array<const double*, N>;
 
-    Columns<Dim> position{};                          ///< [m]
-    Columns<Dim> velocity{};                          ///< [m/s]
-    const double* smoothing_length = nullptr;         ///< h [m]
-    const double* mass = nullptr;                     ///< m [kg; kg/m in 2D]
-    const double* volume = nullptr;                   ///< V [m³; m² in 2D], of fixed ghosts
-    const double* density = nullptr;                  ///< ρ [kg/m³]
-    const double* pressure = nullptr;                 ///< p [Pa]
-    const double* pressure_over_rho2 = nullptr;       ///< p/ρ² [Pa m⁶/kg²]
+    Columns<Dim> position{};                           ///< [m]
+    Columns<Dim> velocity{};                           ///< [m/s]
+    const double* smoothing_length = nullptr;          ///< h [m]
+    const double* mass = nullptr;                      ///< m [kg; kg/m in 2D]
+    const double* volume = nullptr;                    ///< V [m³; m² in 2D], of fixed ghosts
+    const double* density = nullptr;                   ///< ρ [kg/m³]
+    const double* pressure = nullptr;                  ///< p [Pa]
+    const double* pressure_over_rho2 = nullptr;        ///< p/ρ² [Pa m⁶/kg²]
     Columns<sym_components<Dim>> stress_over_rho2{};   ///< σ/ρ²
     Columns<sym_components<Dim>> artificial_stress{};  ///< R of eq. (14)
 };
@@ -67,12 +67,12 @@ struct Pair {
 
     const Self& self;
     const Tile& tile;
-    int j;            ///< lane
+    int j;  ///< lane
     Vector x_ij;
-    Real r2;          ///< |x_ij|²
-    Real h;           ///< mean smoothing length
+    Real r2;  ///< |x_ij|²
+    Real h;   ///< mean smoothing length
     Real inverse_h;
-    Real scale;       ///< σ/h^Dim
+    Real scale;  ///< σ/h^Dim
 
     /// |x_ij|, kept off zero: q = 0 then gives slope 0, and ∇W = 0 without a division by zero.
     Real r() const { return std::sqrt(larger(r2, std::numeric_limits<Real>::min())); }

@@ -11,8 +11,8 @@
 #include "neighbor/neighbor_list.hpp"
 #include "neighbor/parallel.hpp"
 
-// Tells the compiler that the iterations of the loop below do not depend on each other. (omp simd says so too, but makes
-// arrays of every object declared in the loop, which GCC then cannot take apart into vector registers.)
+// Tells the compiler that the iterations of the loop below do not depend on each other. (omp simd says so too, but
+// makes arrays of every object declared in the loop, which GCC then cannot take apart into vector registers.)
 #if defined(__clang__)
 #define SLUICE_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
 #else
@@ -80,8 +80,8 @@ SLUICE_ISA_CLONES void sum_group(const ParticleView<Dim>& a, const ParticleView<
 /// store(i, Σ_j map(ij)) for every listed particle, on all threads; map returns Vec<Outputs, Real>. Returns the number
 /// of directed pairs inside the support.
 template <class Smoothing, unsigned ReadsI, unsigned ReadsJ, int Outputs, class Real, int Dim, class Map, class Store>
-std::uint64_t sum_pairs(const ParticleView<Dim>& a, const ParticleView<Dim>& b, const NeighborList& list, const Map& map,
-                        const Store& store) {
+std::uint64_t sum_pairs(const ParticleView<Dim>& a, const ParticleView<Dim>& b, const NeighborList& list,
+                        const Map& map, const Store& store) {
     const auto groups = static_cast<std::int64_t>(list.groups());
 #pragma omp parallel for schedule(dynamic, 8) if (list.size() > parallel_threshold)
     for (std::int64_t g = 0; g < groups; ++g) {

@@ -60,10 +60,10 @@ std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& li
         });
 }
 
-#define SLUICE_INSTANTIATE(Dim, Real)                                                                            \
-    template std::uint64_t solid_momentum<Dim, Real>(const ParticleView<Dim>&, const NeighborList&,             \
-                                                     const SolidTerms&, VectorField<Dim>&);                     \
-    template std::uint64_t solid_rates<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, ScalarField&,  \
+#define SLUICE_INSTANTIATE(Dim, Real)                                                                                  \
+    template std::uint64_t solid_momentum<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, const SolidTerms&, \
+                                                     VectorField<Dim>&);                                               \
+    template std::uint64_t solid_rates<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, ScalarField&,         \
                                                   TupleField<Dim * Dim>&);
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)

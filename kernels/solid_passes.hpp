@@ -9,11 +9,11 @@ namespace sluice {
 
 /// Constants of the solid's terms. α = 0 or e = 0 takes the term out of the loop.
 struct SolidTerms {
-    double artificial_viscosity = 0;    ///< α
-    double sound_speed = 0;             ///< c0 [m/s]
-    double artificial_stress = 0;       ///< e
-    int artificial_stress_exponent = 4; ///< q
-    double h_over_d = 0;                ///< smoothing length over initial spacing
+    double artificial_viscosity = 0;     ///< α
+    double sound_speed = 0;              ///< c0 [m/s]
+    double artificial_stress = 0;        ///< e
+    int artificial_stress_exponent = 4;  ///< q
+    double h_over_d = 0;                 ///< smoothing length over initial spacing
 };
 
 /// acceleration += eq. (11) without gravity.

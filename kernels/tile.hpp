@@ -35,7 +35,8 @@ struct Self {
         if constexpr (Reads & column::velocity) velocity = at<Real>(a.velocity, i);
         if constexpr (Reads & column::density) density = static_cast<Real>(a.density[i]);
         if constexpr (Reads & column::pressure) pressure = static_cast<Real>(a.pressure[i]);
-        if constexpr (Reads & column::pressure_over_rho2) pressure_over_rho2 = static_cast<Real>(a.pressure_over_rho2[i]);
+        if constexpr (Reads & column::pressure_over_rho2)
+            pressure_over_rho2 = static_cast<Real>(a.pressure_over_rho2[i]);
         if constexpr (Reads & column::stress_over_rho2) stress_over_rho2 = at<Real>(a.stress_over_rho2, i);
         if constexpr (Reads & column::artificial_stress) artificial_stress = at<Real>(a.artificial_stress, i);
     }
@@ -71,14 +72,16 @@ struct alignas(64) Tile {
     int gather(const ParticleView<Dim>& b, std::span<const Index> candidates, const Vec<Dim>& origin) {
         const int n = static_cast<int>(candidates.size());
         for (int k = 0; k < Dim; ++k)
-            fill(position[k], candidates, [&, column = b.position[static_cast<std::size_t>(k)]](Index j) { return column[j] - origin[k]; });
+            fill(position[k], candidates,
+                 [&, column = b.position[static_cast<std::size_t>(k)]](Index j) { return column[j] - origin[k]; });
         if constexpr (!EqualH) fill_scalar(smoothing_length, candidates, b.smoothing_length);
         if constexpr (Reads & column::velocity) fill_tuple(velocity, candidates, b.velocity);
         if constexpr (Reads & column::mass) fill_scalar(mass, candidates, b.mass);
         if constexpr (Reads & column::volume) fill_scalar(volume, candidates, b.volume);
         if constexpr (Reads & column::density) fill_scalar(density, candidates, b.density);
         if constexpr (Reads & column::pressure) fill_scalar(pressure, candidates, b.pressure);
-        if constexpr (Reads & column::pressure_over_rho2) fill_scalar(pressure_over_rho2, candidates, b.pressure_over_rho2);
+        if constexpr (Reads & column::pressure_over_rho2)
+            fill_scalar(pressure_over_rho2, candidates, b.pressure_over_rho2);
         if constexpr (Reads & column::stress_over_rho2) fill_tuple(stress_over_rho2, candidates, b.stress_over_rho2);
         if constexpr (Reads & column::artificial_stress) fill_tuple(artificial_stress, candidates, b.artificial_stress);
         return pad<EqualH>(n, static_cast<Real>(b.smoothing_length[candidates[0]]));
@@ -103,18 +106,25 @@ struct alignas(64) Tile {
     template <bool EqualH>
     int pad(int n, Real h) {
         const int padded = (n + lane_multiple<Real> - 1) & -lane_multiple<Real>;
-        const auto repeat = [&](Real* lanes) { for (int l = n; l < padded; ++l) lanes[l] = lanes[0]; };
+        const auto repeat = [&](Real* lanes) {
+            for (int l = n; l < padded; ++l) lanes[l] = lanes[0];
+        };
         if constexpr (!EqualH) repeat(smoothing_length);
         for (int l = n; l < padded; ++l) position[0][l] = position[0][0] + far * h;
         for (int k = 1; k < Dim; ++k) repeat(position[k]);
-        if constexpr (Reads & column::velocity) for (auto& lanes : velocity) repeat(lanes);
-        if constexpr (Reads & column::mass) for (int l = n; l < padded; ++l) mass[l] = 0;
-        if constexpr (Reads & column::volume) for (int l = n; l < padded; ++l) volume[l] = 0;
+        if constexpr (Reads & column::velocity)
+            for (auto& lanes : velocity) repeat(lanes);
+        if constexpr (Reads & column::mass)
+            for (int l = n; l < padded; ++l) mass[l] = 0;
+        if constexpr (Reads & column::volume)
+            for (int l = n; l < padded; ++l) volume[l] = 0;
         if constexpr (Reads & column::density) repeat(density);
         if constexpr (Reads & column::pressure) repeat(pressure);
         if constexpr (Reads & column::pressure_over_rho2) repeat(pressure_over_rho2);
-        if constexpr (Reads & column::stress_over_rho2) for (auto& lanes : stress_over_rho2) repeat(lanes);
-        if constexpr (Reads & column::artificial_stress) for (auto& lanes : artificial_stress) repeat(lanes);
+        if constexpr (Reads & column::stress_over_rho2)
+            for (auto& lanes : stress_over_rho2) repeat(lanes);
+        if constexpr (Reads & column::artificial_stress)
+            for (auto& lanes : artificial_stress) repeat(lanes);
         return padded;
     }
 

@@ -34,12 +34,12 @@ std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const Parti
     return gather_scalars<Real, DefaultSmoothing<Dim>>(fluid, wall, list, density_rate, FixedGhostContinuity{});
 }
 
-#define SLUICE_INSTANTIATE(Dim, Real)                                                                               \
-    template std::uint64_t fixed_ghost_pressure<Dim, Real>(const ParticleView<Dim>&, const ParticleView<Dim>&,     \
-                                                           const NeighborList&, const Vec<Dim>&, ScalarField&);    \
-    template std::uint64_t fixed_ghost_force<Dim, Real>(const ParticleView<Dim>&, const ParticleView<Dim>&,        \
-                                                        const NeighborList&, VectorField<Dim>&);                   \
-    template std::uint64_t fixed_ghost_continuity<Dim, Real>(const ParticleView<Dim>&, const ParticleView<Dim>&,   \
+#define SLUICE_INSTANTIATE(Dim, Real)                                                                            \
+    template std::uint64_t fixed_ghost_pressure<Dim, Real>(const ParticleView<Dim>&, const ParticleView<Dim>&,   \
+                                                           const NeighborList&, const Vec<Dim>&, ScalarField&);  \
+    template std::uint64_t fixed_ghost_force<Dim, Real>(const ParticleView<Dim>&, const ParticleView<Dim>&,      \
+                                                        const NeighborList&, VectorField<Dim>&);                 \
+    template std::uint64_t fixed_ghost_continuity<Dim, Real>(const ParticleView<Dim>&, const ParticleView<Dim>&, \
                                                              const NeighborList&, ScalarField&);
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)

@@ -31,9 +31,10 @@ using Array = std::vector<T, AlignedAllocator<T>>;
 using ScalarField = Array<double>;
 using Index = std::uint32_t;
 
-/// Dim(Dim+1)/2: the independent components of a symmetric tensor, ordered xx, yy, xy (2D); xx, yy, zz, xy, xz, yz (3D).
+/// Dim(Dim+1)/2: the independent components of a symmetric tensor, ordered xx, yy, xy (2D); xx, yy, zz, xy, xz, yz
+/// (3D).
 template <int Dim>
-inline constexpr int sym_components = Dim * (Dim + 1) / 2;
+inline constexpr int sym_components = Dim*(Dim + 1) / 2;
 
 /// A fixed number of columns of equal length, read and written one particle at a time as a small value.
 template <int Components>

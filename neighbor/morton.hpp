@@ -41,8 +41,8 @@ template <int Dim>
 constexpr std::uint64_t morton_encode(const std::array<std::uint32_t, Dim>& cell) {
     std::uint64_t key = 0;
     for (int k = 0; k < Dim; ++k) {
-        const std::uint64_t spread =
-            Dim == 2 ? detail::spread_by_2(cell[static_cast<std::size_t>(k)]) : detail::spread_by_3(cell[static_cast<std::size_t>(k)]);
+        const std::uint64_t spread = Dim == 2 ? detail::spread_by_2(cell[static_cast<std::size_t>(k)])
+                                              : detail::spread_by_3(cell[static_cast<std::size_t>(k)]);
         key |= spread << k;
     }
     return key;

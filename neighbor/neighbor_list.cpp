@@ -92,7 +92,8 @@ double box_distance2(const Vec<Dim>& lo, const Vec<Dim>& hi, const CellGrid<Dim>
                      const std::array<std::int64_t, Dim>& c) {
     double d2 = 0;
     for (int k = 0; k < Dim; ++k) {
-        const double cell_lo = grid.origin()[k] + static_cast<double>(c[static_cast<std::size_t>(k)]) * grid.cell_size();
+        const double cell_lo =
+            grid.origin()[k] + static_cast<double>(c[static_cast<std::size_t>(k)]) * grid.cell_size();
         const double gap = std::max({0.0, cell_lo - hi[k], lo[k] - (cell_lo + grid.cell_size())});
         d2 += gap * gap;
     }

@@ -29,9 +29,9 @@ struct PairReach {
 /// Most particles in a group.
 inline constexpr int max_group_size = 8;
 
-/// Particles that are near each other form a group and share one list of candidates: every particle that one of them may
-/// have as neighbour. Only groups that have a candidate are listed, so that a pass runs only where it acts. With a group
-/// size of 1 the candidates are the particle's own neighbours.
+/// Particles that are near each other form a group and share one list of candidates: every particle that one of them
+/// may have as neighbour. Only groups that have a candidate are listed, so that a pass runs only where it acts. With a
+/// group size of 1 the candidates are the particle's own neighbours.
 class NeighborList {
   public:
     std::size_t groups() const { return candidate_start_.size() - 1; }
@@ -105,8 +105,8 @@ class NeighborSearch {
         Array<std::uint8_t> equal_reach;
         Array<Index> members;  ///< owned particles of the cell in hand
         std::uint64_t pairs = 0;
-        NearTargets<Dim> near;           ///< of the cell in hand
-        Array<std::uint8_t> is_near;     ///< of the group in hand
+        NearTargets<Dim> near;        ///< of the cell in hand
+        Array<std::uint8_t> is_near;  ///< of the group in hand
     };
     /// One call of build().
     struct Job {

@@ -13,8 +13,8 @@ namespace sluice {
 
 /// Below this many items a loop over pairs runs on the calling thread: a team's fork and join cost more than the work.
 inline constexpr std::size_t parallel_threshold = 512;
-/// The same for loops that do a few operations per item. Set high: a fork and join take microseconds on an idle machine,
-/// but milliseconds where another program holds one of the processors.
+/// The same for loops that do a few operations per item. Set high: a fork and join take microseconds on an idle
+/// machine, but milliseconds where another program holds one of the processors.
 inline constexpr std::size_t light_threshold = 20000;
 
 /// body(i) for every i in [0, n), a few operations each; iterations must not depend on each other.

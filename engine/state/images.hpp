@@ -29,7 +29,8 @@ class Images {
     /// Decides the images of the first `owned` particles: those no farther from a plane than range(i), and appends
     /// their positions. [m]
     template <class Range>
-    void create(const std::vector<MirrorPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned, Range&& range);
+    void create(const std::vector<MirrorPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
+                Range&& range);
 
     std::size_t count() const { return parent_.size(); }
     /// Index of the owned particle or earlier image that image k reflects.
@@ -47,10 +48,12 @@ class Images {
         for (std::size_t k = 0; k < count(); ++k) column[owned + k] = column[parent_[k]];
     }
     void refresh_positions(VectorField<Dim>& field, std::size_t owned) const {
-        for (std::size_t k = 0; k < count(); ++k) field.set(owned + k, planes_[plane_[k]].reflect_position(field[parent_[k]]));
+        for (std::size_t k = 0; k < count(); ++k)
+            field.set(owned + k, planes_[plane_[k]].reflect_position(field[parent_[k]]));
     }
     void refresh_directions(VectorField<Dim>& field, std::size_t owned) const {
-        for (std::size_t k = 0; k < count(); ++k) field.set(owned + k, planes_[plane_[k]].reflect_direction(field[parent_[k]]));
+        for (std::size_t k = 0; k < count(); ++k)
+            field.set(owned + k, planes_[plane_[k]].reflect_direction(field[parent_[k]]));
     }
     std::size_t bytes() const { return parent_.capacity() * (sizeof(Index) + 1); }
 

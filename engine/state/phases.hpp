@@ -33,12 +33,12 @@ struct FluidPhase : PhaseBase<Dim> {
 
 template <int Dim>
 struct SolidPhase : PhaseBase<Dim> {
-    SymTensorField<Dim> deviatoric_stress;  ///< S [Pa]; in 2D S_zz = -S_xx - S_yy (plane strain)
-    SymTensorField<Dim> stress_over_rho2;   ///< σ/ρ² [Pa m⁶/kg²]
-    SymTensorField<Dim> artificial_stress;  ///< R of eq. (14), same unit
+    SymTensorField<Dim> deviatoric_stress;    ///< S [Pa]; in 2D S_zz = -S_xx - S_yy (plane strain)
+    SymTensorField<Dim> stress_over_rho2;     ///< σ/ρ² [Pa m⁶/kg²]
+    SymTensorField<Dim> artificial_stress;    ///< R of eq. (14), same unit
     TupleField<Dim * Dim> velocity_gradient;  ///< dv_i/dx_j, row-major [1/s]
-    Array<std::uint8_t> clamped;            ///< 1 = held fixed
-    VectorField<Dim> velocity_correction;   ///< velocity filter, only if the scene filters its solids [m/s]
+    Array<std::uint8_t> clamped;              ///< 1 = held fixed
+    VectorField<Dim> velocity_correction;     ///< velocity filter, only if the scene filters its solids [m/s]
 };
 
 /// Layers of fixed ghosts of rigid walls; their pressure is taken from the fluid in front of them.
@@ -50,7 +50,7 @@ struct WallPhase {
     ScalarField volume;            ///< [m³; m² in 2D]
     ScalarField smoothing_length;  ///< [m]
     Array<std::uint32_t> id;
-    Array<std::uint16_t> body;     ///< index into Scene::walls
+    Array<std::uint16_t> body;  ///< index into Scene::walls
 };
 
 /// Elements of the interface between fluid and solids: a polygon around each solid body.

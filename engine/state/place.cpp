@@ -77,7 +77,8 @@ void place_body(const Scene& scene, std::size_t number, const Packing& packing, 
     const LinearEquationOfState eos = (is_fluid ? state.water : state.rubber)->eos;
     PhaseBase<Dim>& phase = is_fluid ? static_cast<PhaseBase<Dim>&>(state.fluid) : state.solid;
     const InitialVelocity<Dim> velocity(scene, body);
-    // h follows the lattice as it was fitted, so that h/d and with it every sum over a full support is what was asked for.
+    // h follows the lattice as it was fitted, so that h/d and with it every sum over a full support is what was asked
+    // for.
     const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
     for (const Point& p : packing.position) {
         const double pressure = is_fluid ? hydrostatic_pressure(scene, body, p, eos.density) : 0;
@@ -142,8 +143,9 @@ void place_interface(const Scene& scene, const std::vector<Packing>& packings, S
         }
         state.surface.allocate(state.elements);
     } else {
-        scene.fail("dimension", "found 3 for a scene with both fluid and solid bodies; the interface between them is "
-                                "so far built in two dimensions only: expected 2");
+        scene.fail("dimension",
+                   "found 3 for a scene with both fluid and solid bodies; the interface between them is "
+                   "so far built in two dimensions only: expected 2");
     }
 }
 
@@ -151,7 +153,8 @@ template <int Dim>
 void find_smoothing_range(State<Dim>& state) {
     state.max_h = 0;
     state.min_h = 1e300;
-    for (const ScalarField* h : {&state.fluid.smoothing_length, &state.solid.smoothing_length, &state.wall.smoothing_length})
+    for (const ScalarField* h :
+         {&state.fluid.smoothing_length, &state.solid.smoothing_length, &state.wall.smoothing_length})
         for (const double value : *h) {
             state.max_h = std::max(state.max_h, value);
             state.min_h = std::min(state.min_h, value);

@@ -12,8 +12,8 @@ namespace sluice {
 ///
 /// The interface lies half a spacing outside the outer particles' centres. Each particle of a chain gives one vertex of
 /// a polygon: at x + (d/2) (n₁ + n₂)/(1 + n₁·n₂), where its two edges, shifted outwards by d/2, meet. Elements are the
-/// polygon's sides: Σ n ΔΓ over a body is zero to rounding however it deforms, so a uniform pressure exerts no net force,
-/// and a box's polygon is the box itself.
+/// polygon's sides: Σ n ΔΓ over a body is zero to rounding however it deforms, so a uniform pressure exerts no net
+/// force, and a box's polygon is the box itself.
 class SurfaceChains {
   public:
     /// Adds a body whose particles have the ids first_id, first_id + 1, … in the packing's order.
@@ -23,7 +23,8 @@ class SurfaceChains {
     bool empty() const { return chains_.empty(); }
 
     /// Position and area normal of every element, from the solid's positions. `index_of_id` finds a particle.
-    void update(const SolidPhase<2>& solid, const std::vector<Index>& index_of_id, InterfaceElements<2>& elements) const;
+    void update(const SolidPhase<2>& solid, const std::vector<Index>& index_of_id,
+                InterfaceElements<2>& elements) const;
     /// Sizes the columns and sets what does not change.
     void allocate(InterfaceElements<2>& elements) const;
 

@@ -9,9 +9,9 @@
 
 namespace sluice {
 
-/// Closed loops of particle numbers along the boundary of a set of lattice sites in the plane, the material on the left:
-/// counter-clockwise outside, clockwise around holes. A particle at a convex corner stands once, and particles that
-/// meet across a step of the outline follow each other diagonally.
+/// Closed loops of particle numbers along the boundary of a set of lattice sites in the plane, the material on the
+/// left: counter-clockwise outside, clockwise around holes. A particle at a convex corner stands once, and particles
+/// that meet across a step of the outline follow each other diagonally.
 std::vector<std::vector<Index>> trace_outline(const std::vector<std::array<std::int32_t, 3>>& sites);
 
 }  // namespace sluice

@@ -10,10 +10,14 @@ namespace {
 
 /// Energies that both media have.
 template <int Dim>
-void add_common(const PhaseBase<Dim>& phase, const LinearEquationOfState& eos, const Vec<Dim>& gravity, EnergyBalance& e) {
-    e.kinetic += ordered_sum<double>(phase.owned, [&](std::size_t i) { return 0.5 * phase.mass[i] * norm2(phase.velocity[i]); });
-    e.potential -= ordered_sum<double>(phase.owned, [&](std::size_t i) { return phase.mass[i] * dot(gravity, phase.position[i]); });
-    e.compression += ordered_sum<double>(phase.owned, [&](std::size_t i) { return phase.mass[i] * eos.energy(phase.density[i]); });
+void add_common(const PhaseBase<Dim>& phase, const LinearEquationOfState& eos, const Vec<Dim>& gravity,
+                EnergyBalance& e) {
+    e.kinetic +=
+        ordered_sum<double>(phase.owned, [&](std::size_t i) { return 0.5 * phase.mass[i] * norm2(phase.velocity[i]); });
+    e.potential -= ordered_sum<double>(phase.owned,
+                                       [&](std::size_t i) { return phase.mass[i] * dot(gravity, phase.position[i]); });
+    e.compression +=
+        ordered_sum<double>(phase.owned, [&](std::size_t i) { return phase.mass[i] * eos.energy(phase.density[i]); });
 }
 
 }  // namespace
@@ -45,9 +49,9 @@ double highest_speed(const PhaseBase<Dim>& phase) {
     return std::sqrt(nonnegative_max(phase.owned, [&](std::size_t i) { return norm2(phase.velocity[i]); }));
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                  \
-    template EnergyBalance energy_of<Dim>(const State<Dim>&);    \
-    template Vec<Dim> momentum_of<Dim>(const State<Dim>&);       \
+#define SLUICE_INSTANTIATE(Dim)                               \
+    template EnergyBalance energy_of<Dim>(const State<Dim>&); \
+    template Vec<Dim> momentum_of<Dim>(const State<Dim>&);    \
     template double highest_speed<Dim>(const PhaseBase<Dim>&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)

@@ -1,8 +1,8 @@
 // What a state holds as a whole: energy, momentum, highest speed. Sums do not depend on the number of threads.
 #pragma once
 
-#include "engine/simulation.hpp"
 #include "engine/state/state.hpp"
+#include "engine/step/energy_balance.hpp"
 
 namespace sluice {
 

@@ -65,7 +65,8 @@ void Neighborhood<Dim>::drop_images() {
     auto& fluid = state_.fluid;
     fluid.position.resize(fluid.owned);
     fluid.velocity.resize(fluid.owned);
-    for (ScalarField* column : {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
+    for (ScalarField* column :
+         {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
         column->resize(fluid.owned);
 }
 
@@ -78,7 +79,8 @@ void Neighborhood<Dim>::make_images() {
     const double farthest = state_.max_h + skin_;
     fluid_images_.create(mirrors, fluid.position, fluid.owned,
                          [&](std::size_t i) { return fluid.smoothing_length[i] + farthest; });
-    for (ScalarField* column : {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
+    for (ScalarField* column :
+         {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
         fluid_images_.extend(*column, fluid.owned);
     fluid.velocity.resize(fluid.owned + fluid_images_.count());
     refresh_fluid_velocities();
@@ -86,10 +88,12 @@ void Neighborhood<Dim>::make_images() {
     auto& wall = state_.wall;
     wall_images_.create(mirrors, wall.position, wall.owned,
                         [&](std::size_t i) { return wall.smoothing_length[i] + farthest; });
-    for (ScalarField* column : {&wall.volume, &wall.smoothing_length, &wall.pressure}) wall_images_.extend(*column, wall.owned);
+    for (ScalarField* column : {&wall.volume, &wall.smoothing_length, &wall.pressure})
+        wall_images_.extend(*column, wall.owned);
 
     auto& elements = state_.elements;
-    element_images_.create(mirrors, elements.position, elements.owned, [&](std::size_t) { return state_.max_h + farthest; });
+    element_images_.create(mirrors, elements.position, elements.owned,
+                           [&](std::size_t) { return state_.max_h + farthest; });
     elements.area_normal.resize(elements.owned + element_images_.count());
     elements.velocity.resize(elements.owned + element_images_.count());
     refresh_elements();
@@ -103,7 +107,8 @@ void Neighborhood<Dim>::build_grids() {
     const auto& wall = state_.wall;
     fluid_grid_.build(fluid.position, fluid.position.size(), cell, fluid.smoothing_length);
     solid_grid_.build(solid.position, solid.owned, cell, solid.smoothing_length);
-    if (effects_.has(Effect::fixed_wall)) wall_grid_.build(wall.position, wall.position.size(), cell, wall.smoothing_length);
+    if (effects_.has(Effect::fixed_wall))
+        wall_grid_.build(wall.position, wall.position.size(), cell, wall.smoothing_length);
     if (effects_.has(Effect::interface_force))
         element_grid_.build(state_.elements.position, state_.elements.position.size(), cell);
 }
@@ -176,8 +181,8 @@ void Neighborhood<Dim>::reflect_strays() {
 template <int Dim>
 std::size_t Neighborhood<Dim>::bytes() const {
     std::size_t sum = 0;
-    for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid, &fluid_element,
-                                     &element_solid, &solid_element})
+    for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid,
+                                     &fluid_element, &element_solid, &solid_element})
         sum += list->bytes();
     return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes();
 }

@@ -7,10 +7,21 @@
 
 namespace sluice {
 
-enum class StepPhase { search, fluid_pass, filter_pass, density_pass, solid_pass, gradient_pass, interface_pass, wall_pass, update, output };
+enum class StepPhase {
+    search,
+    fluid_pass,
+    filter_pass,
+    density_pass,
+    solid_pass,
+    gradient_pass,
+    interface_pass,
+    wall_pass,
+    update,
+    output
+};
 inline constexpr std::array<std::string_view, 10> step_phase_names{
-    "neighbour search", "fluid momentum", "velocity filter", "fluid density", "solid momentum",
-    "solid gradient and stress", "interface", "walls and images", "update", "output"};
+    "neighbour search",          "fluid momentum", "velocity filter",  "fluid density", "solid momentum",
+    "solid gradient and stress", "interface",      "walls and images", "update",        "output"};
 
 class PhaseTimer {
   public:

@@ -9,7 +9,8 @@ namespace sluice {
 ///   μ_ij = h v_ij·x_ij / (|x_ij|² + (0.1 h)²)
 /// Both partners are of one medium, so the mean sound speed c̄ is that medium's c0.
 struct ArtificialViscosity {
-    static constexpr unsigned reads_i = column::velocity | column::density, reads_j = column::mass | column::velocity | column::density;
+    static constexpr unsigned reads_i = column::velocity | column::density,
+                              reads_j = column::mass | column::velocity | column::density;
 
     double alpha = 0;        ///< α
     double sound_speed = 0;  ///< c [m/s]

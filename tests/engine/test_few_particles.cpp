@@ -15,7 +15,8 @@ velocity = [-5.0, 0.0]
 material = "water"
 shape = { box = { min = [0.004, 0.0], max = [0.006, 0.002] } }
 velocity = [5.0, 1.0]
-)toml", {std::string("method.fluid.velocity_filter=") + filter}));
+)toml",
+                                              {std::string("method.fluid.velocity_filter=") + filter}));
     const auto apart = [&] { return simulation.fluid().position[1] - simulation.fluid().position[0]; };
     const Vec<2> before = simulation.momentum();
     advance(simulation, 200);
@@ -35,7 +36,8 @@ shape = { box = { min = [0.0, 0.0], max = [0.002, 0.002] } }
     advance(simulation, 1000);
     REQUIRE(simulation.fluid().owned == 1);
     const double t = simulation.time();
-    REQUIRE(simulation.fluid().position[0][1] == Approx(0.001 - 5 * t * t).epsilon(1e-3));  // first order in the first step
+    REQUIRE(simulation.fluid().position[0][1] ==
+            Approx(0.001 - 5 * t * t).epsilon(1e-3));  // first order in the first step
 }
 
 }  // namespace sluice

@@ -24,7 +24,8 @@ shape = { box = { min = [-0.04, -0.02], max = [-0.001, 0.02] } }
 velocity = [1.0, 0.1]
 [bodies.target]
 material = "rubber"
-shape = )toml" + body_shape;
+shape = )toml" +
+           body_shape;
 }
 
 }  // namespace
@@ -70,7 +71,8 @@ velocity = [-0.5, 0.2]
 }
 
 TEST_CASE("In free fall momentum grows by weight times time") {
-    Simulation<2> simulation(scene_text::load("gravity = [0.0, -9.81]\n" + collision("{ circle = { centre = [0.017, 0.0], radius = 0.015 } }\n")));
+    Simulation<2> simulation(scene_text::load("gravity = [0.0, -9.81]\n" +
+                                              collision("{ circle = { centre = [0.017, 0.0], radius = 0.015 } }\n")));
     const Vec<2> before = simulation.momentum();
     advance(simulation, 200);
     // The velocity of the staggered scheme stands half a step behind the time.

@@ -1,8 +1,8 @@
 // Solids: rigid motion, clamp, energy of free vibration.
 #include <cmath>
 
-#include "engine/step/neighborhood.hpp"
 #include "engine/step/material_update.hpp"
+#include "engine/step/neighborhood.hpp"
 #include "engine/step/views.hpp"
 #include "kernels/solid_passes.hpp"
 #include "kernels/tensor.hpp"
@@ -17,7 +17,8 @@ std::string block(const std::string& velocity) {
 [bodies.block]
 material = "rubber"
 shape = { box = { min = [-0.02, -0.01], max = [0.02, 0.01] } }
-velocity = )toml" + velocity;
+velocity = )toml" +
+           velocity;
 }
 
 double largest_stress(const SolidPhase<2>& solid) {
@@ -62,7 +63,8 @@ TEST_CASE("A rigidly rotating stressed body keeps its stress in the co-rotating 
     for (int n = 0; n < steps; ++n) {
         place(omega * dt * (n + 0.5));
         neighbors.add_motion(omega * dt * 0.025);
-        // The lists keep the particles' order here: the body turns under a list that is wide enough only if it is renewed.
+        // The lists keep the particles' order here: the body turns under a list that is wide enough only if it is
+        // renewed.
         if (neighbors.outdated()) {
             place(0);  // the order of particles must match `start`
             neighbors.rebuild();
@@ -75,7 +77,7 @@ TEST_CASE("A rigidly rotating stressed body keeps its stress in the co-rotating 
             REQUIRE(std::abs(solid.density_rate[i]) < 1e-9 * 1100 * omega);  // rigid: no compression, to rounding
             REQUIRE(solid.velocity_gradient[i][2] == Approx(omega).epsilon(1e-9));
         }
-        if (n + 1 == steps / 4) {  // after a quarter turn xx and yy have changed places and xy its sign
+        if (n + 1 == steps / 4) {     // after a quarter turn xx and yy have changed places and xy its sign
             const double lag = 1e-3;  // the midpoint rotation lags by (ωΔt)²/12 per radian: 3e-5 rad, times 2, here
             REQUIRE(solid.deviatoric_stress[7][0] == Approx(initial[1]).margin(lag * 4e4));
             REQUIRE(solid.deviatoric_stress[7][1] == Approx(initial[0]).margin(lag * 4e4));
@@ -134,7 +136,8 @@ artificial_stress = 0.0
 material = "rubber"
 shape = { box = { min = [0.0, -0.005], max = [0.06, 0.005] } }
 velocity = ["0", "0.2*cos(2*pi*x/0.06)"]
-)toml", {std::string("method.spacing=") + spacing}));
+)toml",
+                                                  {std::string("method.spacing=") + spacing}));
         const double start = simulation.energy().total();
         Balance b;
         while (simulation.time() < 0.03) {  // four periods

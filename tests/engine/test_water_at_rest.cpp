@@ -79,7 +79,8 @@ TEST_CASE("No particle passes a mirror wall, however hard it is thrown") {
 material = "water"
 shape = { box = { min = [0.0, 0.01], max = [0.04, 0.05] } }
 velocity = [0.0, -3.0]
-)toml" + mirror_floor, {"method.mach_limit=0.2", "method.expected_speed=3"}));
+)toml" + mirror_floor,
+                                              {"method.mach_limit=0.2", "method.expected_speed=3"}));
     advance(simulation, 400);
     for (std::size_t i = 0; i < simulation.fluid().owned; ++i) REQUIRE(simulation.fluid().position[i][1] > 0);
 }

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace sluice {
+
+/// The energy of all moving particles, by form. [J; J/m in 2D]
+struct EnergyBalance {
+    double kinetic = 0;
+    double potential = 0;
+    double compression = 0;  ///< of both media: ∫ p/ρ² dρ
+    double elastic = 0;      ///< of the solid's deviatoric stress: S:S/4μ
+    double total() const { return kinetic + potential + compression + elastic; }
+};
+
+}  // namespace sluice
