@@ -22,11 +22,22 @@ double kernel_between(const std::array<const double*, Dim>& a, Index i, const st
     return static_cast<double>(kernel_at(vec_cast<Real>(x), static_cast<Real>(h)));
 }
 
+/// An element or a particle beside one has some twenty partners: few of them are worth a second thread.
+constexpr std::size_t interface_threshold = 128;
+
+template <class Body>
+void for_elements(std::size_t n, Body&& body) {
+    const auto count = static_cast<std::int64_t>(n);
+#pragma omp parallel for schedule(static) if (n > interface_threshold)
+    for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
+}
+
 /// Σ_k force_of(k, i, neighbours) over the listed particles, in an order that does not depend on the threads.
 template <int Dim, class F>
 Vec<Dim> sum_over_list(const NeighborList& list, F&& force_of) {
-    return ordered_sum<Vec<Dim>>(list.groups(),
-                                 [&](std::size_t l) { return force_of(list.queries(l)[0], list.candidates(l)); });
+    return ordered_sum<Vec<Dim>, 32>(
+        list.groups(), [&](std::size_t l) { return force_of(list.queries(l)[0], list.candidates(l)); },
+        interface_threshold);
 }
 
 }  // namespace
@@ -36,7 +47,7 @@ void interface_pressure(const ElementView<Dim>& elements, const ParticleView<Dim
                         const NeighborList& list, ScalarField& pressure, ScalarField& image_pressure) {
     std::fill(pressure.begin(), pressure.end(), 0.0);
     std::fill(image_pressure.begin(), image_pressure.end(), 0.0);
-    parallel_for(list.groups(), [&](std::size_t l) {
+    for_elements(list.groups(), [&](std::size_t l) {
         const Index k = list.queries(l)[0];
         double total = 0, from_images = 0;
         for (const Index b : list.candidates(l)) {
@@ -55,7 +66,7 @@ template <int Dim, class Real>
 void interface_weights(const ElementView<Dim>& elements, const ParticleView<Dim>& solid, const NeighborList& list,
                        ScalarField& weight, VectorField<Dim>& velocity) {
     std::fill(weight.begin(), weight.end(), 0.0);
-    parallel_for(list.groups(), [&](std::size_t l) {
+    for_elements(list.groups(), [&](std::size_t l) {
         const Index k = list.queries(l)[0];
         double sum = 0;
         Vec<Dim> v;
@@ -108,7 +119,7 @@ Vec<Dim> interface_force_on_fluid(const ParticleView<Dim>& fluid, const ElementV
 template <int Dim, class Real>
 void interface_continuity(const ParticleView<Dim>& fluid, const ElementView<Dim>& elements, const NeighborList& list,
                           ScalarField& density_rate) {
-    parallel_for(list.groups(), [&](std::size_t l) {
+    for_elements(list.groups(), [&](std::size_t l) {
         const Index b = list.queries(l)[0];
         const Vec<Dim> v_b = at<double>(fluid.velocity, b);
         double rate = 0;

@@ -83,7 +83,7 @@ template <class Smoothing, unsigned ReadsI, unsigned ReadsJ, int Outputs, class 
 std::uint64_t sum_pairs(const ParticleView<Dim>& a, const ParticleView<Dim>& b, const NeighborList& list,
                         const Map& map, const Store& store) {
     const auto groups = static_cast<std::int64_t>(list.groups());
-#pragma omp parallel for schedule(dynamic, 8) if (list.size() > parallel_threshold)
+#pragma omp parallel for schedule(dynamic, 16) if (list.size() > parallel_threshold)
     for (std::int64_t g = 0; g < groups; ++g) {
         const auto group = static_cast<std::size_t>(g);
         const auto queries = list.queries(group), candidates = list.candidates(group);

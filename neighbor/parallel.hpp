@@ -13,9 +13,9 @@ namespace sluice {
 
 /// Below this many items a loop over pairs runs on the calling thread: a team's fork and join cost more than the work.
 inline constexpr std::size_t parallel_threshold = 512;
-/// The same for loops that do a few operations per item. Set high: a fork and join take microseconds on an idle
-/// machine, but milliseconds where another program holds one of the processors.
-inline constexpr std::size_t light_threshold = 20000;
+/// The same for loops that do a few operations per item. They gain less from the second thread's arithmetic than from
+/// its cache, where half of the columns already are.
+inline constexpr std::size_t light_threshold = 2048;
 
 /// body(i) for every i in [0, n), a few operations each; iterations must not depend on each other.
 template <class Body>
@@ -25,22 +25,12 @@ void parallel_for(std::size_t n, Body&& body) {
     for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
 }
 
-/// The same for iterations of much and unequal work: handed out in chunks of `chunk` as threads become free.
-template <class Body>
-void parallel_for_uneven(std::size_t n, std::size_t chunk, Body&& body) {
-    const auto count = static_cast<std::int64_t>(n);
-    const auto step = static_cast<std::int64_t>(chunk);
-#pragma omp parallel for schedule(dynamic, step) if (n > parallel_threshold)
-    for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
-}
-
 /// Σ f(i), added up in fixed blocks and then block by block: the same bits for any number of threads.
-/// T needs a zero default and +=.
-template <class T, class F>
-T ordered_sum(std::size_t n, F&& f) {
-    constexpr std::size_t block = 1024;
+/// T needs a zero default and +=. `threshold`: below this many items the calling thread does it all.
+template <class T, std::size_t block = 1024, class F>
+T ordered_sum(std::size_t n, F&& f, std::size_t threshold = light_threshold) {
     const std::size_t blocks = (n + block - 1) / block;
-    std::array<T, 64> on_stack{};  // 65,536 items without an allocation
+    std::array<T, 64> on_stack{};  // 64 blocks without an allocation
     std::vector<T> on_heap;
     T* partial = on_stack.data();
     if (blocks > on_stack.size()) {
@@ -48,7 +38,7 @@ T ordered_sum(std::size_t n, F&& f) {
         partial = on_heap.data();
     }
     const auto count = static_cast<std::int64_t>(blocks);
-#pragma omp parallel for schedule(static) if (n > light_threshold)
+#pragma omp parallel for schedule(static) if (n > threshold)
     for (std::int64_t k = 0; k < count; ++k) {
         const auto b = static_cast<std::size_t>(k);
         T s{};
