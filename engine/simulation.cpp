@@ -197,6 +197,7 @@ struct Simulation<Dim>::Impl {
 
     template <class Real>
     void filter_velocities() {
+        if (!effects.has(Effect::velocity_filter) && !effects.has(Effect::solid_filter)) return;
         const auto scope = timer.measure(StepPhase::filter_pass);
         if (effects.has(Effect::velocity_filter)) {
             neighbors.refresh_fluid_velocities();
