@@ -3,9 +3,12 @@
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=${1:-$root/build}
+# A warning of a compiler that we have not met is no failed test; where changes are tested, no warning may slip in.
+warnings_are_errors=OFF
+[ "${CI:-}" = true ] && warnings_are_errors=ON
 
 "$root/tests/install_packages.sh"
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSLUICE_WERROR=ON >"$build.log" 2>&1 ||
+cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSLUICE_WERROR=$warnings_are_errors >"$build.log" 2>&1 ||
     { cat "$build.log"; rm -f "$build.log"; echo "sluice: configuration FAILED"; exit 1; }
 rm -f "$build.log"
 cmake --build "$build"
