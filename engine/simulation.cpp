@@ -1,6 +1,7 @@
 #include "engine/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "engine/errors.hpp"
@@ -9,6 +10,7 @@
 #include "engine/step/material_update.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/views.hpp"
+#include "kernels/fluid_passes.hpp"
 #include "kernels/interface_passes.hpp"
 #include "kernels/solid_passes.hpp"
 #include "kernels/wall_passes.hpp"
@@ -32,11 +34,21 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>
     return limits;
 }
 
-double time_step_of(const Scene& scene, const std::vector<CourantLimit>& limits) {
-    if (scene.method.time_step) return *scene.method.time_step;
+/// The step of all media together, and how many sub-steps of the solid there are in it.
+struct StepPlan {
+    double dt = 0;     ///< [s]
+    int substeps = 1;  ///< of the solid
+};
+
+/// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
+/// limit asks for. A step that the scene sets is taken as it is, and cut likewise.
+StepPlan plan_steps(const Scene& scene, const std::vector<CourantLimit>& limits, bool both_media) {
     const auto least =
         std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.dt < b.dt; });
-    return least->dt;
+    const bool multi_rate = scene.method.multi_rate && both_media;
+    const double dt = scene.method.time_step.value_or(multi_rate ? limits.front().dt : least->dt);
+    if (!multi_rate) return {dt, 1};
+    return {dt, std::max(1, static_cast<int>(std::ceil(dt / limits.back().dt * (1 - 1e-12))))};
 }
 
 }  // namespace
@@ -46,10 +58,11 @@ struct Simulation<Dim>::Impl {
     explicit Impl(const Scene& s)
         : scene(s),
           effects(scene),
+          precision(scene.method.precision == "mixed" ? Precision::mixed : Precision::full),
           state(place_particles<Dim>(scene, effects)),
           limits(courant_limits_of(scene, state)),
-          dt(time_step_of(scene, limits)),
-          neighbors(state, effects) {
+          plan(plan_steps(scene, limits, state.water && state.rubber)),
+          neighbors(state, effects, scene.method.smoothing_length) {
         const MediumMethod& f = scene.method.fluid;
         const MediumMethod& r = scene.method.solid;
         if (state.water) fluid_terms = {f.artificial_viscosity, state.water->eos.sound_speed};
@@ -57,105 +70,123 @@ struct Simulation<Dim>::Impl {
             solid_terms = {r.artificial_viscosity, state.rubber->eos.sound_speed, r.artificial_stress,
                            r.artificial_stress_exponent, scene.method.smoothing_length};
         if (state.water) max_speed = highest_speed(state.fluid);
-        update_pressure_and_stress();
-        update_boundary_pressures<double>();  // so that the first output shows what the start means for walls and
-                                              // solids
+        update_fluid_pressure(state);
+        update_solid_stress(state, solid_terms.artificial_stress);
+        neighbors.refresh_fluid_scalars();
+        // So that the first output shows what the start means for walls and solids.
+        if (effects.has(Effect::fixed_wall)) update_wall_pressure();
+        if (effects.has(Effect::interface_force)) update_interface_force();
     }
 
     /// The staggered explicit Euler scheme of the paper: velocities at n ± 1/2, everything else at n. Rates of density
     /// and stress are taken half-way, at the positions that belong to the velocities.
-    template <class Real>
+    ///
+    /// With more than one sub-step the solid goes through the step at its own rate under the interface's force of
+    /// time n; the fluid's continuity then sees the solid's mean velocity over the step, at its place half-way. So both
+    /// sides exchange the same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs to the
+    /// motion that the fluid sees. With one sub-step this is the paper's scheme.
     void step() {
-        if (neighbors.outdated()) rebuild_neighbors();
-        start_accelerations();
-        fluid_forces<Real>();
-        wall_forces<Real>();
-        solid_forces<Real>();
-        interface_forces<Real>();
-        kick(steps == 0 ? 0.5 * dt : dt);  // the first brings v from time 0 to 1/2
-        filter_velocities<Real>();
-        drift(0.5 * dt);
-        rates<Real>();
-        drift(0.5 * dt);
-        advance_material();
+        update_neighbors();
+        fluid_forces();
+        wall_forces();
+        interface_forces();
+        kick_fluid();
+        filter_fluid();
+        drift_fluid_halfway();
+        const double solid_motion = advance_solid();
+        fluid_rates();
+        interface_rates();
+        finish_fluid(solid_motion);
         ++steps;
     }
 
-    void rebuild_neighbors() {
+    /// The solid's own steps within a step. Returns a bound of how far its particles have moved. [m]
+    double advance_solid() {
+        if (!effects.has(Effect::solid_stress)) return 0;
+        double motion = 0;
+        begin_solid_motion();
+        for (int s = 0; s < plan.substeps; ++s) {
+            if (s > 0) update_solid_neighbors();
+            solid_forces();
+            kick_solid(steps == 0 && s == 0);
+            filter_solid();
+            drift_solid_halfway();
+            solid_rates_halfway();
+            motion += finish_solid();
+        }
+        end_solid_motion();
+        return motion;
+    }
+
+    double solid_dt() const { return plan.dt / plan.substeps; }
+
+    void update_neighbors() {
         const auto scope = timer.measure(StepPhase::search);
         try {
-            neighbors.rebuild();
+            neighbors.update();
         } catch (const std::length_error& error) {
             throw NumericalError(error.what());
         }
     }
 
-    void start_accelerations() {
-        const auto scope = timer.measure(StepPhase::update);
-        for (PhaseBase<Dim>* phase :
-             {static_cast<PhaseBase<Dim>*>(&state.fluid), static_cast<PhaseBase<Dim>*>(&state.solid)})
-            parallel_for(phase->owned, [&](std::size_t i) { phase->acceleration.set(i, state.gravity); });
+    void update_solid_neighbors() {
+        const auto scope = timer.measure(StepPhase::search);
+        neighbors.update_solid();
     }
 
-    template <class Real>
     void fluid_forces() {
         if (!effects.has(Effect::fluid_pressure)) return;
         const auto scope = timer.measure(StepPhase::fluid_pass);
-        pairs += fluid_momentum<Dim, Real>(view_of(state.fluid), neighbors.fluid_fluid, fluid_terms,
-                                           state.fluid.acceleration);
+        auto& fluid = state.fluid;
+        parallel_for(fluid.owned, [&](std::size_t i) { fluid.acceleration.set(i, state.gravity); });
+        pairs += fluid_momentum<Dim>(view_of(fluid), neighbors.fluid_fluid, fluid_terms, precision, fluid.acceleration);
     }
 
-    template <class Real>
     void wall_forces() {
         if (!effects.has(Effect::fixed_wall)) return;
         const auto scope = timer.measure(StepPhase::wall_pass);
-        update_wall_pressure<Real>();
-        pairs += fixed_ghost_force<Dim, Real>(view_of(state.fluid), view_of(state.wall), neighbors.fluid_wall,
-                                              state.fluid.acceleration);
+        update_wall_pressure();
+        pairs += fixed_ghost_force<Dim>(view_of(state.fluid), view_of(state.wall), neighbors.fluid_wall, precision,
+                                        state.fluid.acceleration);
     }
 
-    template <class Real>
     void update_wall_pressure() {
-        pairs += fixed_ghost_pressure<Dim, Real>(view_of(state.wall), view_of(state.fluid), neighbors.wall_fluid,
-                                                 state.gravity, state.wall.pressure);
+        pairs += fixed_ghost_pressure<Dim>(view_of(state.wall), view_of(state.fluid), neighbors.wall_fluid,
+                                           state.gravity, precision, state.wall.pressure);
         neighbors.refresh_wall_pressure();
     }
 
-    template <class Real>
-    void solid_forces() {
-        if (!effects.has(Effect::solid_stress)) return;
-        const auto scope = timer.measure(StepPhase::solid_pass);
-        pairs += solid_momentum<Dim, Real>(view_of(state.solid), neighbors.solid_solid, solid_terms,
-                                           state.solid.acceleration);
-    }
-
-    template <class Real>
     void interface_forces() {
         if (!effects.has(Effect::interface_force)) return;
         const auto scope = timer.measure(StepPhase::interface_pass);
-        update_interface_pressure<Real>();
-        const auto& e = state.elements;
-        const auto elements = view_of(e);
-        const Vec<Dim> on_solid = interface_force_on_solid<Dim, Real>(
-            view_of(state.solid), elements, neighbors.solid_element, e.solid_weight, e.force, state.solid.acceleration);
-        const Vec<Dim> on_fluid = interface_force_on_fluid<Dim, Real>(
-            view_of(state.fluid), elements, neighbors.fluid_element, state.fluid.acceleration);
+        const Vec<Dim> on_solid = update_interface_force();
+        auto& fluid = state.fluid;
+        const auto elements = view_of(state.elements);
+        const Vec<Dim> on_fluid = add_interface_force_on_fluid<Dim>(view_of(fluid), elements, neighbors.fluid_element,
+                                                                    block_totals, fluid.acceleration);
+        add_interface_force_on_fluid<Dim>(view_of(fluid), elements, neighbors.image_element, block_totals,
+                                          fluid.acceleration);
         record_balance(on_solid, on_fluid);
     }
 
-    template <class Real>
-    void update_interface_pressure() {
-        update_elements<Real>();
+    /// Pressure on the elements and what it does to the solid. Returns the whole force on the solid.
+    Vec<Dim> update_interface_force() {
         auto& e = state.elements;
-        interface_pressure<Dim, Real>(view_of(e), view_of(state.fluid), state.fluid.owned, neighbors.element_fluid,
-                                      e.pressure, e.image_pressure);
-        for (std::size_t k = 0; k < e.owned; ++k) e.force.set(k, -e.pressure[k] * e.area_normal[k]);
-    }
-
-    template <class Real>
-    void update_boundary_pressures() {
-        if (effects.has(Effect::fixed_wall)) update_wall_pressure<Real>();
-        if (effects.has(Effect::interface_force)) update_interface_pressure<Real>();
+        auto& solid = state.solid;
+        update_elements(solid.position, view_of(solid));
+        std::fill(e.pressure.begin(), e.pressure.end(), 0.0);
+        std::fill(e.image_pressure.begin(), e.image_pressure.end(), 0.0);
+        const auto elements = view_of(e), fluid = view_of(state.fluid);
+        add_interface_pressure<Dim>(elements, fluid, neighbors.element_fluid, e.pressure);
+        add_interface_pressure<Dim>(elements, fluid, neighbors.element_image, e.image_pressure);
+        for (std::size_t k = 0; k < e.owned; ++k) {
+            e.pressure[k] += e.image_pressure[k];
+            e.force.set(k, -e.pressure[k] * e.area_normal[k]);
+            e.shared_force.set(k, e.solid_weight[k] > 0 ? (1 / e.solid_weight[k]) * e.force[k] : Vec<Dim>{});
+        }
+        for (auto& column : solid.interface_acceleration.c) std::fill(column.begin(), column.end(), 0.0);
+        return interface_force_on_solid<Dim>(view_of(solid), elements, neighbors.solid_element, block_totals,
+                                             solid.interface_acceleration);
     }
 
     /// What fluid and solid give each other must add up to nothing, but for what images of the fluid, that is the
@@ -173,121 +204,160 @@ struct Simulation<Dim>::Impl {
     }
 
     /// Elements follow the solid: place and area from the boundary particles, velocity from the weights of its forces.
-    template <class Real>
-    void update_elements() {
-        if constexpr (Dim == 2) state.surface.update(state.solid, neighbors.solid_index_of_id(), state.elements);
-        interface_weights<Dim, Real>(view_of(state.elements), view_of(state.solid), neighbors.element_solid,
-                                     state.elements.solid_weight, state.elements.velocity);
-        for (std::size_t k = 0; k < state.elements.owned; ++k)
-            if (state.elements.solid_weight[k] == 0) state.elements.area_normal.set(k, {});  // torn off its body
+    void update_elements(const VectorField<Dim>& solid_position, const ParticleView<Dim>& solid) {
+        auto& e = state.elements;
+        if constexpr (Dim == 2) state.surface.update(solid_position, neighbors.solid_index_of_id(), e);
+        interface_weights<Dim>(view_of(e), solid, neighbors.element_solid, e.solid_weight, e.velocity);
+        for (std::size_t k = 0; k < e.owned; ++k)
+            if (e.solid_weight[k] == 0) e.area_normal.set(k, {});  // torn off its body
         neighbors.refresh_elements();
     }
 
-    void kick(double interval) {
+    void kick_fluid() {
         const auto scope = timer.measure(StepPhase::update);
+        const double interval = steps == 0 ? 0.5 * plan.dt : plan.dt;  // the first brings v from time 0 to 1/2
         auto& fluid = state.fluid;
-        auto& solid = state.solid;
         parallel_for(fluid.owned, [&](std::size_t i) {
             fluid.velocity.set(i, fluid.velocity[i] + interval * fluid.acceleration[i]);
         });
+    }
+
+    void filter_fluid() {
+        if (!effects.has(Effect::velocity_filter)) return;
+        const auto scope = timer.measure(StepPhase::filter_pass);
+        auto& fluid = state.fluid;
+        neighbors.refresh_fluid_velocities();
+        pairs += velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, scene.method.fluid.velocity_filter,
+                                      precision, fluid.velocity_correction);
+        parallel_for(fluid.owned, [&](std::size_t i) {
+            fluid.velocity.set(i, fluid.velocity[i] + fluid.velocity_correction[i]);
+        });
+    }
+
+    void drift_fluid_halfway() {
+        const auto scope = timer.measure(StepPhase::update);
+        auto& fluid = state.fluid;
+        parallel_for(fluid.owned, [&](std::size_t i) {
+            fluid.position.set(i, fluid.position[i] + 0.5 * plan.dt * fluid.velocity[i]);
+        });
+        neighbors.refresh_fluid_positions();
+        neighbors.refresh_fluid_velocities();
+    }
+
+    void fluid_rates() {
+        if (!effects.has(Effect::fluid_pressure)) return;
+        auto& fluid = state.fluid;
+        {
+            const auto scope = timer.measure(StepPhase::density_pass);
+            std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
+            pairs += continuity<Dim>(view_of(fluid), neighbors.fluid_fluid, precision, fluid.density_rate);
+        }
+        if (!effects.has(Effect::fixed_wall)) return;
+        const auto scope = timer.measure(StepPhase::wall_pass);
+        pairs += fixed_ghost_continuity<Dim>(view_of(fluid), view_of(state.wall), neighbors.fluid_wall, precision,
+                                             fluid.density_rate);
+    }
+
+    void interface_rates() {
+        if (!effects.has(Effect::interface_force)) return;
+        const auto scope = timer.measure(StepPhase::interface_pass);
+        update_elements(state.solid.halfway_position, halfway_view_of(state.solid));
+        const auto fluid = view_of(state.fluid), elements = view_of(state.elements);
+        add_interface_continuity<Dim>(fluid, elements, neighbors.fluid_element, state.fluid.density_rate);
+        add_interface_continuity<Dim>(fluid, elements, neighbors.image_element, state.fluid.density_rate);
+    }
+
+    void finish_fluid(double solid_motion) {
+        const auto scope = timer.measure(StepPhase::update);
+        finish_fluid_step(state, plan.dt);
+        neighbors.refresh_fluid_positions();
+        neighbors.refresh_fluid_scalars();
+        const double speed = highest_speed(state.fluid);
+        max_speed = std::max(speed, max_speed);
+        neighbors.add_motion(plan.dt * speed, solid_motion);
+    }
+
+    void begin_solid_motion() {
+        if (!effects.has(Effect::interface_force)) return;
+        state.solid.halfway_position = state.solid.position;
+    }
+
+    void end_solid_motion() {
+        if (!effects.has(Effect::interface_force)) return;
+        auto& solid = state.solid;
+        for (std::size_t i = 0; i < solid.owned; ++i) {
+            const Vec<Dim> before = solid.halfway_position[i], after = solid.position[i];
+            solid.halfway_position.set(i, 0.5 * (before + after));
+            solid.mean_velocity.set(i, (1 / plan.dt) * (after - before));
+        }
+    }
+
+    void solid_forces() {
+        const auto scope = timer.measure(StepPhase::solid_pass);
+        auto& solid = state.solid;
+        const bool coupled = effects.has(Effect::interface_force);
+        parallel_for(solid.owned, [&](std::size_t i) {
+            solid.acceleration.set(i, coupled ? state.gravity + solid.interface_acceleration[i] : state.gravity);
+        });
+        pairs += solid_momentum<Dim>(view_of(solid), neighbors.solid_solid, solid_terms, precision, solid.acceleration);
+    }
+
+    void kick_solid(bool first) {
+        const auto scope = timer.measure(StepPhase::update);
+        const double interval = first ? 0.5 * solid_dt() : solid_dt();
+        auto& solid = state.solid;
         parallel_for(solid.owned, [&](std::size_t i) {
             if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + interval * solid.acceleration[i]);
         });
     }
 
-    template <class Real>
-    void filter_velocities() {
-        if (!effects.has(Effect::velocity_filter) && !effects.has(Effect::solid_filter)) return;
+    void filter_solid() {
+        if (!effects.has(Effect::solid_filter)) return;
         const auto scope = timer.measure(StepPhase::filter_pass);
-        if (effects.has(Effect::velocity_filter)) {
-            neighbors.refresh_fluid_velocities();
-            pairs += velocity_filter<Dim, Real>(view_of(state.fluid), neighbors.fluid_fluid,
-                                                scene.method.fluid.velocity_filter, state.fluid.velocity_correction);
-            auto& fluid = state.fluid;
-            parallel_for(fluid.owned, [&](std::size_t i) {
-                fluid.velocity.set(i, fluid.velocity[i] + fluid.velocity_correction[i]);
-            });
-        }
-        if (effects.has(Effect::solid_filter)) {
-            auto& solid = state.solid;
-            pairs += velocity_filter<Dim, Real>(view_of(solid), neighbors.solid_solid,
-                                                scene.method.solid.velocity_filter, solid.velocity_correction);
-            parallel_for(solid.owned, [&](std::size_t i) {
-                if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + solid.velocity_correction[i]);
-            });
-        }
+        auto& solid = state.solid;
+        pairs += velocity_filter<Dim>(view_of(solid), neighbors.solid_solid, scene.method.solid.velocity_filter,
+                                      precision, solid.velocity_correction);
+        parallel_for(solid.owned, [&](std::size_t i) {
+            if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + solid.velocity_correction[i]);
+        });
     }
 
-    void drift(double interval) {
+    void drift_solid_halfway() {
         const auto scope = timer.measure(StepPhase::update);
-        for (PhaseBase<Dim>* phase :
-             {static_cast<PhaseBase<Dim>*>(&state.fluid), static_cast<PhaseBase<Dim>*>(&state.solid)})
-            parallel_for(phase->owned, [&](std::size_t i) {
-                phase->position.set(i, phase->position[i] + interval * phase->velocity[i]);
-            });
-        neighbors.refresh_fluid_positions();
+        auto& solid = state.solid;
+        parallel_for(solid.owned, [&](std::size_t i) {
+            solid.position.set(i, solid.position[i] + 0.5 * solid_dt() * solid.velocity[i]);
+        });
     }
 
-    template <class Real>
-    void rates() {
-        if (effects.has(Effect::fluid_pressure)) fluid_rates<Real>();
-        if (effects.has(Effect::solid_stress)) {
-            const auto scope = timer.measure(StepPhase::gradient_pass);
-            std::fill(state.solid.density_rate.begin(), state.solid.density_rate.end(), 0.0);
-            pairs += solid_rates<Dim, Real>(view_of(state.solid), neighbors.solid_solid, state.solid.density_rate,
-                                            state.solid.velocity_gradient);
-        }
-        if (effects.has(Effect::interface_force)) {
-            const auto scope = timer.measure(StepPhase::interface_pass);
-            update_elements<Real>();
-            interface_continuity<Dim, Real>(view_of(state.fluid), view_of(state.elements), neighbors.fluid_element,
-                                            state.fluid.density_rate);
-        }
+    void solid_rates_halfway() {
+        const auto scope = timer.measure(StepPhase::gradient_pass);
+        auto& solid = state.solid;
+        std::fill(solid.density_rate.begin(), solid.density_rate.end(), 0.0);
+        pairs += solid_rates<Dim>(view_of(solid), neighbors.solid_solid, precision, solid.density_rate,
+                                  solid.velocity_gradient);
     }
 
-    template <class Real>
-    void fluid_rates() {
-        auto& fluid = state.fluid;
-        neighbors.refresh_fluid_velocities();
-        {
-            const auto scope = timer.measure(StepPhase::density_pass);
-            std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
-            pairs += continuity<Dim, Real>(view_of(fluid), neighbors.fluid_fluid, fluid.density_rate);
-        }
-        if (!effects.has(Effect::fixed_wall)) return;
-        const auto scope = timer.measure(StepPhase::wall_pass);
-        pairs += fixed_ghost_continuity<Dim, Real>(view_of(fluid), view_of(state.wall), neighbors.fluid_wall,
-                                                   fluid.density_rate);
-    }
-
-    void advance_material() {
+    /// Returns a bound of how far the particles have moved. [m]
+    double finish_solid() {
         const auto scope = timer.measure(StepPhase::update);
-        advance_density<Dim>(state.fluid, dt);
-        advance_density<Dim>(state.solid, dt);
-        advance_stress(state, dt);
-        neighbors.reflect_strays();
-        update_pressure_and_stress();
-        const double fluid_speed = highest_speed(state.fluid), solid_speed = highest_speed(state.solid);
-        neighbors.add_motion(dt * std::max(fluid_speed, solid_speed));
-        max_speed = std::max(fluid_speed, max_speed);
-    }
-
-    void update_pressure_and_stress() {
-        update_fluid_pressure(state);
-        update_solid_stress(state, solid_terms.artificial_stress);
-        neighbors.refresh_fluid_positions();
-        neighbors.refresh_fluid_scalars();
+        finish_solid_step(state, solid_terms.artificial_stress, solid_dt());
+        const double motion = solid_dt() * highest_speed(state.solid);
+        neighbors.add_solid_motion(motion);
+        return motion;
     }
 
     Scene scene;
     Effects effects;
+    Precision precision;
     State<Dim> state;
     std::vector<CourantLimit> limits;
-    double dt;
+    StepPlan plan;
     Neighborhood<Dim> neighbors;
     FluidTerms fluid_terms;
     SolidTerms solid_terms;
     PhaseTimer timer;
+    BlockTotals<Dim> block_totals;
     std::uint64_t steps = 0;
     std::uint64_t pairs = 0;
     double max_speed = 0;
@@ -301,19 +371,20 @@ Simulation<Dim>::~Simulation() = default;
 
 template <int Dim>
 void Simulation<Dim>::step() {
-    if (impl_->scene.method.precision == "mixed")
-        impl_->template step<float>();
-    else
-        impl_->template step<double>();
+    impl_->step();
 }
 
 template <int Dim>
 double Simulation<Dim>::time() const {
-    return static_cast<double>(impl_->steps) * impl_->dt;
+    return static_cast<double>(impl_->steps) * impl_->plan.dt;
 }
 template <int Dim>
 double Simulation<Dim>::time_step() const {
-    return impl_->dt;
+    return impl_->plan.dt;
+}
+template <int Dim>
+int Simulation<Dim>::solid_substeps() const {
+    return impl_->plan.substeps;
 }
 template <int Dim>
 const std::vector<CourantLimit>& Simulation<Dim>::courant_limits() const {
@@ -346,8 +417,9 @@ const InterfaceElements<Dim>& Simulation<Dim>::interface() const {
 
 template <int Dim>
 WorkCount Simulation<Dim>::work() const {
-    const std::uint64_t moving = impl_->state.fluid.owned + impl_->state.solid.owned;
-    return {impl_->steps, impl_->steps * moving, impl_->pairs, impl_->neighbors.builds()};
+    const auto& [steps, substeps] = std::pair(impl_->steps, static_cast<std::uint64_t>(impl_->plan.substeps));
+    const std::uint64_t moved = impl_->state.fluid.owned + substeps * impl_->state.solid.owned;
+    return {steps, steps * moved, impl_->pairs, impl_->neighbors.builds()};
 }
 template <int Dim>
 const PhaseTimer& Simulation<Dim>::timer() const {

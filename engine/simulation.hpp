@@ -23,7 +23,7 @@ struct CourantLimit {
 /// What a run has cost so far, apart from time.
 struct WorkCount {
     std::uint64_t steps = 0;
-    std::uint64_t particle_steps = 0;  ///< fluid and solid particles advanced
+    std::uint64_t particle_steps = 0;  ///< fluid and solid particles advanced, the solid's by sub-steps
     std::uint64_t pairs = 0;           ///< directed pairs inside the support, summed over all pair passes
     std::uint64_t neighbour_builds = 0;
 };
@@ -47,7 +47,8 @@ class Simulation {
     void step();
 
     double time() const;
-    double time_step() const;
+    double time_step() const;    ///< of the fluid, or of a solid alone [s]
+    int solid_substeps() const;  ///< in each step; 1 = single-rate
     const std::vector<CourantLimit>& courant_limits() const;
 
     const Scene& scene() const;

@@ -2,61 +2,59 @@
 
 #include <algorithm>
 
-#include "kernels/pair_loop.hpp"
-#include "kernels/terms/artificial_viscosity.hpp"
-#include "kernels/terms/continuity.hpp"
-#include "kernels/terms/symmetric_pressure.hpp"
+#include "kernels/fluid_loops.hpp"
 
 namespace sluice {
 
-template <int Dim, class Real>
+template <int Dim>
 std::uint64_t fluid_momentum(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
-                             VectorField<Dim>& acceleration) {
-    using Smoothing = DefaultSmoothing<Dim>;
+                             Precision precision, VectorField<Dim>& acceleration) {
     if (terms.artificial_viscosity == 0)
-        return gather_vectors<Real, Smoothing>(fluid, fluid, list, acceleration, SymmetricPressure{});
-    return gather_vectors<Real, Smoothing>(fluid, fluid, list, acceleration, SymmetricPressure{},
-                                           ArtificialViscosity{terms.artificial_viscosity, terms.sound_speed});
+        return add_vectors(InviscidMomentum<Dim>{}, precision, fluid, fluid, list, acceleration);
+    const ViscousMomentum<Dim> viscous{{}, {terms.artificial_viscosity, terms.sound_speed}};
+    return add_vectors(viscous, precision, fluid, fluid, list, acceleration);
 }
 
-template <int Dim, class Real>
-std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, ScalarField& density_rate) {
-    return gather_scalars<Real, DefaultSmoothing<Dim>>(particles, particles, list, density_rate, Continuity{});
+template <int Dim>
+std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, Precision precision,
+                         ScalarField& density_rate) {
+    return add_scalars(DensityRate<Dim>{}, precision, particles, particles, list, density_rate);
 }
 
-template <int Dim, class Real>
+template <int Dim>
+std::uint64_t fluid_rates(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
+                          Precision precision, VectorField<Dim>& acceleration, ScalarField& density_rate) {
+    const FluidRates<Dim> rates{{{}, {terms.artificial_viscosity, terms.sound_speed}}};
+    return sum_pairs(rates, precision, fluid, fluid, list, [&](Index i, const Vec<Dim + 1>& sum) {
+        Vec<Dim> a;
+        for (int k = 0; k < Dim; ++k) a[k] = sum[k];
+        acceleration.set(i, acceleration[i] + a);
+        density_rate[i] += sum[Dim];
+    });
+}
+
+template <int Dim>
 std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const NeighborList& list, double theta,
-                              VectorField<Dim>& correction) {
-    using Smoothing = DefaultSmoothing<Dim>;
-    constexpr unsigned reads_i = column::velocity | column::density, reads_j = reads_i | column::mass;
+                              Precision precision, VectorField<Dim>& correction) {
     for (ScalarField& column : correction.c) std::fill(column.begin(), column.end(), 0.0);
-    return sum_pairs<Smoothing, reads_i, reads_j, Dim + 1, Real>(
-        particles, particles, list,
-        [](const auto& ij) {
-            const Real v_w = Real(2) * ij.m_j() / (ij.rho_i() + ij.rho_j()) * ij.w();
-            const Vec<Dim, Real> v_ij = ij.v_ij();
-            Vec<Dim + 1, Real> out;
-            unroll<Dim>([&](int k) { out[k] = -v_w * v_ij[k]; });
-            out[Dim] = v_w;
-            return out;
-        },
-        [&](Index i, const Vec<Dim + 1>& sum) {
-            Vec<Dim> v;
-            for (int k = 0; k < Dim; ++k) v[k] = (1 - theta) * sum[k] / sum[Dim];
-            correction.set(i, v);
-        });
+    return sum_pairs(FilterSums<Dim>{}, precision, particles, particles, list, [&](Index i, const Vec<Dim + 1>& sum) {
+        Vec<Dim> v;
+        for (int k = 0; k < Dim; ++k) v[k] = (1 - theta) * sum[k] / sum[Dim];
+        correction.set(i, v);
+    });
 }
 
-#define SLUICE_INSTANTIATE(Dim, Real)                                                                                  \
-    template std::uint64_t fluid_momentum<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&, \
-                                                     VectorField<Dim>&);                                               \
-    template std::uint64_t continuity<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, ScalarField&);         \
-    template std::uint64_t velocity_filter<Dim, Real>(const ParticleView<Dim>&, const NeighborList&, double,           \
-                                                      VectorField<Dim>&);
-SLUICE_INSTANTIATE(2, double)
-SLUICE_INSTANTIATE(2, float)
-SLUICE_INSTANTIATE(3, double)
-SLUICE_INSTANTIATE(3, float)
+#define SLUICE_INSTANTIATE(Dim)                                                                                  \
+    template std::uint64_t fluid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&, \
+                                               Precision, VectorField<Dim>&);                                    \
+    template std::uint64_t continuity<Dim>(const ParticleView<Dim>&, const NeighborList&, Precision,             \
+                                           ScalarField&);                                                        \
+    template std::uint64_t fluid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&,    \
+                                            Precision, VectorField<Dim>&, ScalarField&);                         \
+    template std::uint64_t velocity_filter<Dim>(const ParticleView<Dim>&, const NeighborList&, double,           \
+                                                Precision, VectorField<Dim>&);
+SLUICE_INSTANTIATE(2)
+SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE
 
 }  // namespace sluice

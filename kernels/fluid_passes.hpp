@@ -1,16 +1,11 @@
-// Pair passes of the fluid. Each adds to its output; templated on dimension and on the real type of pair arithmetic.
+// Pair passes of the fluid. Each adds to its output and returns the directed pairs inside the support.
 #pragma once
 
 #include <cstdint>
 
-#include "kernels/pair.hpp"
-#include "neighbor/neighbor_list.hpp"
+#include "kernels/block_loop.hpp"
 
 namespace sluice {
-
-/// Which smoothing function the passes use.
-template <int Dim>
-using DefaultSmoothing = CubicSpline<Dim>;
 
 /// Constants of the fluid's terms. α = 0 takes the viscous term out of the loop.
 struct FluidTerms {
@@ -18,20 +13,26 @@ struct FluidTerms {
     double sound_speed = 0;           ///< c0 [m/s]
 };
 
-/// acceleration += eq. (10) without gravity. Returns the directed pairs inside the support.
-template <int Dim, class Real>
+/// acceleration += eq. (10) without gravity.
+template <int Dim>
 std::uint64_t fluid_momentum(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
-                             VectorField<Dim>& acceleration);
+                             Precision precision, VectorField<Dim>& acceleration);
 
 /// density_rate += eq. (8), for a fluid as for a solid.
-template <int Dim, class Real>
-std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, ScalarField& density_rate);
+template <int Dim>
+std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, Precision precision,
+                         ScalarField& density_rate);
+
+/// Both of the above in one loop, for schemes that take both at the same instant.
+template <int Dim>
+std::uint64_t fluid_rates(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
+                          Precision precision, VectorField<Dim>& acceleration, ScalarField& density_rate);
 
 /// Velocity filter, eq. (16): correction_i = (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij, V_j = m_j/ρ̄_ij, the sum
-/// in the denominator with the particle itself, which must stand in its own list (group size above 1). Particles that
-/// are not listed get zero.
-template <int Dim, class Real>
+/// in the denominator with the particle itself, which must stand in its own list. Particles that are not listed get
+/// zero.
+template <int Dim>
 std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const NeighborList& list, double theta,
-                              VectorField<Dim>& correction);
+                              Precision precision, VectorField<Dim>& correction);
 
 }  // namespace sluice

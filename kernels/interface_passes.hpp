@@ -31,50 +31,48 @@
 // The 2 is that of a mirrored ghost, which moves with 2 v_k − v_b. (b), (c) and (d) form a conservative system: the
 // power of the forces, Σ_b F_b·v_b + Σ_a F_a·v_a = Σ_kb 2 V_b p_b W_kb n_k ΔΓ_k·(v_b − v_k), is exactly what the
 // fluid's compression p/ρ² dρ/dt takes up.
+//
+// Pair arithmetic is double in every precision: these passes are small, and action must equal reaction to the last
+// digits although each side sums for itself.
 #pragma once
 
-#include <cstdint>
+#include <vector>
 
-#include "kernels/fluid_passes.hpp"
+#include "kernels/block_loop.hpp"
 
 namespace sluice {
 
-/// Read-only columns of the interface elements; those at index `owned` and beyond are images across mirror walls.
+/// Scratch of the passes that return a sum over all particles; kept by the caller, so that nothing is allocated.
 template <int Dim>
-struct ElementView {
-    std::array<const double*, Dim> position{};     ///< [m]
-    std::array<const double*, Dim> area_normal{};  ///< n ΔΓ into the fluid [m²; m in 2D]
-    std::array<const double*, Dim> velocity{};     ///< of the solid [m/s]
-    std::size_t owned = 0;
-};
+using BlockTotals = std::vector<Vec<Dim>>;
 
-/// All lists here have groups of one.
+/// pressure of listed elements += (a). The others are left as they are. Lists between elements and particles have no
+/// reach of the elements and twice the particles' (CutOff).
+template <int Dim>
+void add_interface_pressure(const ParticleView<Dim>& elements, const ParticleView<Dim>& fluid, const NeighborList& list,
+                            ScalarField& pressure);
 
-/// Pressure of owned elements (a), and the part of it that comes from images of fluid particles (index ≥ owned_fluid).
-template <int Dim, class Real>
-void interface_pressure(const ElementView<Dim>& elements, const ParticleView<Dim>& fluid, std::size_t owned_fluid,
-                        const NeighborList& list, ScalarField& pressure, ScalarField& image_pressure);
-
-/// Σ_a V_a W_ka for each owned element, and v_k of (d). An element that its solid has left behind has weight 0; nothing
-/// can take up a force on it, so the caller must take its area away.
-template <int Dim, class Real>
-void interface_weights(const ElementView<Dim>& elements, const ParticleView<Dim>& solid, const NeighborList& list,
+/// Σ_a V_a W_ka for each element, and v_k of (d) from the solid's velocity column. An element that its solid has left
+/// behind has weight 0; nothing can take up a force on it, so the caller must take its area away.
+template <int Dim>
+void interface_weights(const ParticleView<Dim>& elements, const ParticleView<Dim>& solid, const NeighborList& list,
                        ScalarField& weight, VectorField<Dim>& velocity);
 
-/// acceleration of the solid += F_a/m_a (b). Returns Σ_a F_a [N; N/m in 2D].
-template <int Dim, class Real>
-Vec<Dim> interface_force_on_solid(const ParticleView<Dim>& solid, const ElementView<Dim>& elements,
-                                  const NeighborList& list, const ScalarField& weight, const VectorField<Dim>& force,
-                                  VectorField<Dim>& acceleration);
+/// acceleration of the solid = F_a/m_a (b) for listed particles, from the elements' shared_force = f_k/Σ_c V_c W_kc.
+/// Returns Σ_a F_a [N; N/m in 2D].
+template <int Dim>
+Vec<Dim> interface_force_on_solid(const ParticleView<Dim>& solid, const ParticleView<Dim>& elements,
+                                  const NeighborList& list, BlockTotals<Dim>& totals, VectorField<Dim>& acceleration);
 
-/// acceleration of the fluid += F_b/m_b (c). Returns the part of Σ_b F_b that owned elements exert [N; N/m in 2D].
-template <int Dim, class Real>
-Vec<Dim> interface_force_on_fluid(const ParticleView<Dim>& fluid, const ElementView<Dim>& elements,
-                                  const NeighborList& list, VectorField<Dim>& acceleration);
+/// acceleration of the fluid += F_b/m_b (c). Returns Σ_b F_b [N; N/m in 2D].
+template <int Dim>
+Vec<Dim> add_interface_force_on_fluid(const ParticleView<Dim>& fluid, const ParticleView<Dim>& elements,
+                                      const NeighborList& list, BlockTotals<Dim>& totals,
+                                      VectorField<Dim>& acceleration);
 
 /// density_rate of the fluid += (d).
-template <int Dim, class Real>
-void interface_continuity(const ParticleView<Dim>& fluid, const ElementView<Dim>& elements, const NeighborList& list,
-                          ScalarField& density_rate);
+template <int Dim>
+void add_interface_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& elements,
+                              const NeighborList& list, ScalarField& density_rate);
 
 }  // namespace sluice

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "kernels/fluid_passes.hpp"
+#include "kernels/block_loop.hpp"
 
 namespace sluice {
 
@@ -17,17 +17,17 @@ struct SolidTerms {
 };
 
 /// acceleration += eq. (11) without gravity.
-template <int Dim, class Real>
+template <int Dim>
 std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList& list, const SolidTerms& terms,
-                             VectorField<Dim>& acceleration);
+                             Precision precision, VectorField<Dim>& acceleration);
 
 /// density_rate += eq. (8) and velocity_gradient = eq. (15), in one loop.
 ///
 /// Eq. (15): expand v_b to first order about a in Σ_b V_b (v_b − v_a) ⊗ ∇W. With G = Σ_b V_b (v_b − v_a) ⊗ ∇_a W_ab and
 /// M = Σ_b V_b (x_b − x_a) ⊗ ∇_a W_ab it reads G = L M, so L = G M⁻¹: exact for every linear velocity field, at a free
 /// surface too. A particle with too few neighbours to define M (det M < 10⁻³, where a full support has 1) gets L = 0.
-template <int Dim, class Real>
-std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, ScalarField& density_rate,
-                          TupleField<Dim * Dim>& velocity_gradient);
+template <int Dim>
+std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, Precision precision,
+                          ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient);
 
 }  // namespace sluice

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "kernels/fluid_passes.hpp"
+#include "kernels/block_loop.hpp"
 
 namespace sluice {
 
@@ -11,18 +11,20 @@ namespace sluice {
 /// the ghost's place by the hydrostatic gradient [Adami, Hu & Adams 2012, eq. 27],
 ///   p_w = Σ_f V_f (p_f + ρ_f g·(x_w − x_f)) W_wf / Σ_f V_f W_wf,   and 0 where it would be negative:
 /// a smooth rigid wall pushes water but does not hold it. A ghost has no memory: with no fluid near, p_w = 0.
-template <int Dim, class Real>
+template <int Dim>
 std::uint64_t fixed_ghost_pressure(const ParticleView<Dim>& wall, const ParticleView<Dim>& fluid,
-                                   const NeighborList& list, const Vec<Dim>& gravity, ScalarField& pressure);
+                                   const NeighborList& list, const Vec<Dim>& gravity, Precision precision,
+                                   ScalarField& pressure);
 
 /// acceleration of the fluid += the ghosts' pressure (FixedGhostPressure).
-template <int Dim, class Real>
+template <int Dim>
 std::uint64_t fixed_ghost_force(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall, const NeighborList& list,
-                                VectorField<Dim>& acceleration);
+                                Precision precision, VectorField<Dim>& acceleration);
 
 /// density_rate of the fluid += approach to the ghosts (FixedGhostContinuity).
-template <int Dim, class Real>
+template <int Dim>
 std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall,
-                                     const NeighborList& list, ScalarField& density_rate);
+                                     const NeighborList& list, Precision precision,
+                                     ScalarField& density_rate);
 
 }  // namespace sluice

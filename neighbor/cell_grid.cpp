@@ -16,11 +16,20 @@ std::size_t slot_of(std::uint64_t key, std::size_t mask) {
     return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> 32) & mask;
 }
 
+/// The box around the positions first … last − 1 that are numbers.
+template <int Dim>
+Box<Dim> extent_of(const VectorField<Dim>& position, std::size_t first, std::size_t last) {
+    Box<Dim> box;
+    for (std::size_t i = first; i < last; ++i) box.add(position[i]);
+    return box;
+}
+
 }  // namespace
 
 template <int Dim>
-void CellGrid<Dim>::build(const VectorField<Dim>& position, std::size_t n, double cell_size,
+void CellGrid<Dim>::build(const VectorField<Dim>& position, std::size_t first, std::size_t last, double cell_size,
                           std::span<const double> reach) {
+    const std::size_t n = last - first;
     cell_size_ = cell_size;
     cells_.clear();
     cell_key_.clear();
@@ -28,7 +37,7 @@ void CellGrid<Dim>::build(const VectorField<Dim>& position, std::size_t n, doubl
     order_.resize(n);
     max_reach_ = 0;
     if (n > 0) {
-        compute_keys(position, n);
+        compute_keys(position, first, last);
         sorter_.sort(keys_, order_, key_bits_);
         collect_cells(position, reach);
     }
@@ -36,22 +45,21 @@ void CellGrid<Dim>::build(const VectorField<Dim>& position, std::size_t n, doubl
 }
 
 template <int Dim>
-void CellGrid<Dim>::compute_keys(const VectorField<Dim>& position, std::size_t n) {
+void CellGrid<Dim>::compute_keys(const VectorField<Dim>& position, std::size_t first, std::size_t last) {
+    const Box<Dim> box = extent_of(position, first, last);
     int bits = 1;
     for (int k = 0; k < Dim; ++k) {
-        const auto& x = position.c[static_cast<std::size_t>(k)];
-        const auto [lowest, highest] = std::minmax_element(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
-        const double cells = std::floor((*highest - *lowest) / cell_size_) + 1;
-        if (!(cells < std::ldexp(1.0, morton_bits<Dim>)))
+        const double cells = std::floor((box.hi[k] - box.lo[k]) / cell_size_) + 1;
+        if (!(cells >= 1 && cells < std::ldexp(1.0, morton_bits<Dim>)))
             throw std::length_error("the particles are spread over more cells than a sorting key can number");
-        origin_[k] = *lowest;
+        origin_[k] = box.lo[k];
         extent_[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(cells);
         bits = std::max(bits, static_cast<int>(std::bit_width(extent_[static_cast<std::size_t>(k)] - 1)));
     }
     key_bits_ = bits * Dim;
-    parallel_for(n, [&](std::size_t i) {
-        keys_[i] = morton_encode<Dim>(cell_of(position, i));
-        order_[i] = static_cast<Index>(i);
+    parallel_for(last - first, [&](std::size_t k) {
+        keys_[k] = morton_encode<Dim>(cell_of(position, first + k));
+        order_[k] = static_cast<Index>(first + k);
     });
 }
 
@@ -107,6 +115,13 @@ const Cell<Dim>* CellGrid<Dim>::find(const std::array<std::int64_t, Dim>& coordi
     for (std::size_t s = slot_of(key, table_.size() - 1); table_[s] != 0; s = (s + 1) & (table_.size() - 1))
         if (cell_key_[table_[s] - 1] == key) return &cells_[table_[s] - 1];
     return nullptr;
+}
+
+template <int Dim>
+std::size_t CellGrid<Dim>::bytes() const {
+    return (keys_.capacity() + cell_key_.capacity()) * sizeof(std::uint64_t) +
+           (order_.capacity() + table_.capacity()) * sizeof(Index) + cells_.capacity() * sizeof(Cell<Dim>) +
+           sorter_.bytes();
 }
 
 template class CellGrid<2>;

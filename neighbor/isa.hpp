@@ -1,11 +1,34 @@
-// Functions built for several x86-64 levels, of which the program takes the best when it starts.
+// Instruction sets: the loops over pairs are compiled once per level, and the program takes the best that the processor
+// has when it starts.
+//
+// A source file that holds such loops is compiled with -DSLUICE_ISA=<level> and that level's flags (neighbor/isa.cmake).
+// What it defines stands in a namespace of that name, so that no function compiled for a newer processor can take the
+// place of its namesake elsewhere.
 #pragma once
 
-// For function templates in an unnamed namespace, whose clones cannot be merged with those of another file. Sanitizers
-// do not support the mechanism, and other compilers and processors get the plain build.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
-#define SLUICE_ISA_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), gnu::flatten]]
-#else
-#define SLUICE_ISA_CLONES
-#endif
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sluice {
+
+enum class Isa {
+    baseline,  ///< what the compiler takes for granted: SSE2 on x86-64
+    avx2,      ///< with FMA
+    avx512,    ///< F, BW, DQ, VL
+};
+
+/// "baseline", "avx2", "avx512".
+std::string_view name_of(Isa isa);
+
+/// Levels that were compiled in and that this processor has, worst first.
+const std::vector<Isa>& available_isas();
+
+/// The level in use: the best available one unless use_isa() chose another.
+Isa active_isa();
+
+/// Chooses a level for all loops from now on. Not while loops run.
+/// Throws std::invalid_argument, with the levels that there are, if the processor or the program lacks it.
+void use_isa(std::string_view name);
+
+}  // namespace sluice

@@ -3,235 +3,245 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <stdexcept>
+#include <array>
 
 #include "neighbor/isa.hpp"
 #include "neighbor/parallel.hpp"
+#include "neighbor/prune_loop.hpp"
 
 namespace sluice {
-
-void NeighborList::clear() {
-    query_.clear();
-    query_start_.assign(1, 0);
-    candidate_.clear();
-    candidate_start_.assign(1, 0);
-    equal_reach_.clear();
-    pairs_ = 0;
-}
-
 namespace {
 
-/// The smallest box around some particles.
+/// The members of a grid's cluster as a list holds them: a run of indices, or indices of their own.
 template <int Dim>
-struct Extent {
-    Vec<Dim> lo, hi;
-
-    Extent(const VectorField<Dim>& position, std::span<const Index> particles)
-        : lo(position[particles[0]]), hi(position[particles[0]]) {
-        for (const Index i : particles)
-            for (int k = 0; k < Dim; ++k) {
-                lo[k] = std::min(lo[k], position.c[static_cast<std::size_t>(k)][i]);
-                hi[k] = std::max(hi[k], position.c[static_cast<std::size_t>(k)][i]);
-            }
-    }
-};
-
-/// Squared distance of x from the box; 0 inside.
-template <int Dim>
-inline double distance2(const Extent<Dim>& box, const Vec<Dim>& x) {
-    double d2 = 0;
-    unroll<Dim>([&](int k) {
-        const double gap = larger(larger(x[k] - box.hi[k], box.lo[k] - x[k]), 0.0);
-        d2 += gap * gap;
-    });
-    return d2;
-}
-
-/// near[t] = 1 for those targets that are closer to the box than cut + their reach.
-template <int Dim>
-SLUICE_ISA_CLONES void mark_near_box(const NearTargets<Dim>& targets, const Extent<Dim>& box, double cut,
-                                     std::uint8_t* near) {
-    const std::size_t n = targets.index.size();
-    const double* reach = targets.reach.data();
-    std::array<const double*, Dim> x;
-    for (std::size_t k = 0; k < Dim; ++k) x[k] = targets.x[k].data();
-#pragma GCC ivdep
-    for (std::size_t t = 0; t < n; ++t) {
-        Vec<Dim> at;
-        unroll<Dim>([&](int k) { at[k] = x[static_cast<std::size_t>(k)][t]; });
-        const double limit = cut + reach[t];
-        near[t] = distance2(box, at) < limit * limit;
-    }
-}
-
-/// How many targets are closer to x than reach + their reach.
-template <int Dim>
-SLUICE_ISA_CLONES std::uint64_t count_within(const NearTargets<Dim>& targets, const Vec<Dim>& from, double reach) {
-    const std::size_t n = targets.index.size();
-    const double* target_reach = targets.reach.data();
-    std::array<const double*, Dim> x;
-    for (std::size_t k = 0; k < Dim; ++k) x[k] = targets.x[k].data();
-    std::int64_t count = 0;
-    for (std::size_t t = 0; t < n; ++t) {
-        double d2 = 0;
-        unroll<Dim>([&](int k) {
-            const double d = from[k] - x[static_cast<std::size_t>(k)][t];
-            d2 += d * d;
-        });
-        const double support = reach + target_reach[t];
-        count += d2 < support * support;
-    }
-    return static_cast<std::uint64_t>(count);
-}
-
-/// Lower bound for the squared distance between a box [lo, hi] and a cell of the grid.
-template <int Dim>
-double box_distance2(const Vec<Dim>& lo, const Vec<Dim>& hi, const CellGrid<Dim>& grid,
-                     const std::array<std::int64_t, Dim>& c) {
-    double d2 = 0;
-    for (int k = 0; k < Dim; ++k) {
-        const double cell_lo =
-            grid.origin()[k] + static_cast<double>(c[static_cast<std::size_t>(k)]) * grid.cell_size();
-        const double gap = std::max({0.0, cell_lo - hi[k], lo[k] - (cell_lo + grid.cell_size())});
-        d2 += gap * gap;
-    }
-    return d2;
-}
-
-/// Calls visit(coordinate) for every cell coordinate in the box lo … hi, x fastest.
-template <int Dim, class Visit>
-void for_coordinates(const std::array<std::int64_t, Dim>& lo, const std::array<std::int64_t, Dim>& hi, Visit&& visit) {
-    std::array<std::int64_t, Dim> c = lo;
-    for (;;) {
-        visit(c);
-        std::size_t k = 0;
-        while (k < Dim && ++c[k] > hi[k]) {
-            c[k] = lo[k];
-            ++k;
-        }
-        if (k == Dim) return;
-    }
-}
-
-/// Packs the targets that lie in cells which can hold a neighbour of some particle in the box with this reach.
-template <int Dim>
-void pack_near_targets(const Extent<Dim>& box, double reach, const typename NeighborSearch<Dim>::Set& target,
-                       const PairReach& pair_reach, NearTargets<Dim>& near) {
-    near.resize(0);
-    const CellGrid<Dim>& grid = target.grid;
-    const double farthest = reach + pair_reach.target_scale * grid.max_reach();
-    std::array<std::int64_t, Dim> first, last;
-    for (int k = 0; k < Dim; ++k) {
-        const auto kk = static_cast<std::size_t>(k);
-        first[kk] = static_cast<std::int64_t>(std::floor((box.lo[k] - farthest - grid.origin()[k]) / grid.cell_size()));
-        last[kk] = static_cast<std::int64_t>(std::floor((box.hi[k] + farthest - grid.origin()[k]) / grid.cell_size()));
-    }
-    for_coordinates<Dim>(first, last, [&](const auto& c) {
-        const double d2 = box_distance2<Dim>(box.lo, box.hi, grid, c) * (1 - 1e-12);  // the cell's edges are rounded
-        if (d2 > farthest * farthest) return;
-        const Cell<Dim>* cell = grid.find(c);
-        if (!cell) return;
-        const double cut = reach + pair_reach.target_scale * cell->reach;
-        if (d2 > cut * cut) return;
-        const std::size_t before = near.index.size(), count = cell->end - cell->begin;
-        near.resize(before + count);
-        const Index* members = grid.order().data() + cell->begin;
-        for (std::size_t t = 0; t < count; ++t) near.index[before + t] = members[t];
-        for (std::size_t t = 0; t < count; ++t) near.reach[before + t] = pair_reach.of_target(members[t]);
-        for (std::size_t k = 0; k < Dim; ++k)
-            for (std::size_t t = 0; t < count; ++t) near.x[k][before + t] = target.position.c[k][members[t]];
-    });
+ListedCluster listed(const ClusterGrid<Dim>& grid, std::size_t cluster, Array<Index>& index) {
+    const Range t = grid.particles(cluster);
+    const Index* member = grid.order().data() + t.begin;
+    bool in_sequence = true;
+    for (Index l = 1; l < t.size(); ++l) in_sequence = in_sequence && member[l] == member[0] + l;
+    const auto size = static_cast<std::uint8_t>(t.size());
+    if (in_sequence) return {member[0], size, true};
+    const auto first = static_cast<Index>(index.size());
+    index.insert(index.end(), member, member + t.size());
+    return {first, size, false};
 }
 
 }  // namespace
 
-template <int Dim>
-void NeighborSearch<Dim>::search_group(const Job& job, std::span<const Index> group, Share& share) {
-    const auto& [query, owned, target, reach, group_size] = job;
-    const bool same_set = &query.position == &target.position;
-    const bool without_itself = same_set && group_size == 1;
-    double group_reach = 0;
-    for (const Index i : group) group_reach = std::max(group_reach, reach.of_query(i));
-    const NearTargets<Dim>& near = share.near;
-    share.is_near.resize(near.index.size());
-    mark_near_box(near, Extent<Dim>(query.position, group), reach.skin + group_reach, share.is_near.data());
-    const std::size_t before = share.candidate.size();
-    share.candidate.resize(before + near.index.size());
-    std::size_t end = before;
-    bool equal = true;
-    for (const Index i : group) equal = equal && reach.of_query(i) == group_reach;
-    for (std::size_t t = 0; t < near.index.size(); ++t) {  // without a branch: write always, go on if it counts
-        share.candidate[end] = near.index[t];
-        end += share.is_near[t] && !(without_itself && near.index[t] == group[0]);
-        equal = equal && (!share.is_near[t] || near.reach[t] == group_reach);
-    }
-    share.candidate.resize(end);
-    if (end == before) return;
-    for (const Index i : group) share.pairs += count_within(near, query.position[i], reach.of_query(i));
-    if (same_set) share.pairs -= group.size();  // each found itself
-    share.candidate_count.push_back(static_cast<Index>(end - before));
-    share.query.insert(share.query.end(), group.begin(), group.end());
-    share.query_count.push_back(static_cast<Index>(group.size()));
-    share.equal_reach.push_back(equal);
+Range NeighborList::share(int k, int n) const {
+    const auto bound = [&](int s) {
+        const std::uint64_t upto = cluster_pairs() * static_cast<std::uint64_t>(s) / static_cast<std::uint64_t>(n);
+        return static_cast<Index>(std::lower_bound(work_.begin(), work_.end(), upto) - work_.begin());
+    };
+    return {k == 0 ? 0 : bound(k), k + 1 == n ? static_cast<Index>(blocks()) : bound(k + 1)};
+}
+
+std::size_t NeighborList::bytes() const {
+    return block_.capacity() * sizeof(ListView::Block) + part_.capacity() * sizeof(ListView::Part) +
+           (query_.capacity() + candidate_.capacity()) * sizeof(ListedCluster) +
+           row_.capacity() * sizeof(ListView::Row) + listed_.capacity() + near_.capacity() + equal_reach_.capacity() +
+           (query_index_.capacity() + candidate_index_.capacity()) * sizeof(Index) +
+           work_.capacity() * sizeof(std::uint64_t);
+}
+
+void NeighborList::clear() {
+    block_.clear();
+    part_.clear();
+    query_.clear();
+    candidate_.clear();
+    row_.clear();
+    listed_.clear();
+    near_.clear();
+    equal_reach_.clear();
+    query_index_.clear();
+    candidate_index_.clear();
+    work_.clear();
+    size_ = 0;
+    pairs_ = 0;
 }
 
 template <int Dim>
-void NeighborSearch<Dim>::search_cells(const Job& job, Share& share) {
-    for (Array<Index>* a : {&share.query, &share.query_count, &share.candidate, &share.candidate_count}) a->clear();
-    share.equal_reach.clear();
-    share.pairs = 0;
-    const auto& order = job.query.grid.order();
-    for (std::size_t c = share.first_cell; c < share.last_cell; ++c) {
-        const Cell<Dim>& cell = job.query.grid.cells()[c];
-        share.members.clear();
-        for (Index m = cell.begin; m < cell.end; ++m)
-            if (order[m] < job.owned) share.members.push_back(order[m]);
-        if (share.members.empty()) continue;
-        // The members' own extent is far tighter than the cell where it is half empty.
-        pack_near_targets<Dim>(Extent<Dim>(job.query.position, share.members),
-                               job.reach.query_scale * cell.reach + job.reach.skin, job.target, job.reach, share.near);
-        if (share.near.index.empty()) continue;
-        // Groups of nearly equal size: eleven particles as six and five lie closer together than as eight and three.
-        const std::size_t n = share.members.size(), size = static_cast<std::size_t>(job.group_size);
-        const std::size_t groups = (n + size - 1) / size;
-        for (std::size_t g = 0; g < groups; ++g) {
-            const std::size_t begin = n * g / groups, end = n * (g + 1) / groups;
-            search_group(job, {share.members.data() + begin, end - begin}, share);
-        }
+void NeighborSearch<Dim>::Share::clear() {
+    block.clear();
+    part.clear();
+    query.clear();
+    candidate.clear();
+    row.clear();
+    entry.clear();
+    equal_reach.clear();
+    query_index.clear();
+    candidate_index.clear();
+    size = 0;
+}
+
+template <int Dim>
+void NeighborSearch<Dim>::search_block(const Job& job, std::size_t block, Share& share) {
+    const Extent<Dim>& own = job.query.block_extent(block);
+    share.near_grid.clear();
+    share.near_cluster.clear();
+    share.near_extent.clear();
+    const double cut = job.cut.query_scale * own.max_reach + job.cut.skin;
+    for (std::size_t g = 0; g < job.targets.size(); ++g) {
+        const ClusterGrid<Dim>& target = *job.targets[g];
+        target.blocks_near(own.box, cut, job.cut.target_scale, [&](std::size_t b) {
+            const Range clusters = target.clusters(b);
+            for (Index c = clusters.begin; c < clusters.end; ++c) {
+                const Extent<Dim>& e = target.cluster_extent(c);
+                const double limit = cut + job.cut.target_scale * e.max_reach;
+                if (!(distance2(own.box, e.box) < limit * limit)) continue;
+                share.near_grid.push_back(static_cast<Index>(g));
+                share.near_cluster.push_back(c);
+                share.near_extent.push_back(e);
+            }
+        });
     }
+    const std::size_t candidates = share.near_cluster.size();
+    if (candidates == 0) return;
+    const Range clusters = job.query.clusters(block);
+    ListView::Block made;
+    made.queries.begin = static_cast<Index>(share.query.size());
+    for (Index q = clusters.begin; q < clusters.end; ++q) {
+        share.query.push_back(listed(job.query, q, share.query_index));
+        share.equal_reach.push_back(job.query.cluster_extent(q).min_reach == job.query.cluster_extent(q).max_reach);
+        share.size += share.query.back().size;
+    }
+    made.queries.end = static_cast<Index>(share.query.size());
+    made.parts.begin = static_cast<Index>(share.part.size());
+    for (std::size_t first = 0; first < candidates; first += part_size)
+        list_part(job, clusters, first, std::min<std::size_t>(first + part_size, candidates), share);
+    made.parts.end = static_cast<Index>(share.part.size());
+    share.block.push_back(made);
+}
+
+template <int Dim>
+void NeighborSearch<Dim>::list_part(const Job& job, Range clusters, std::size_t first_near, std::size_t last_near,
+                                    Share& share) {
+    ListView::Part part;
+    part.candidates.begin = static_cast<Index>(share.candidate.size());
+    part.first_row = static_cast<std::uint32_t>(share.row.size());
+    for (std::size_t n = first_near; n < last_near; ++n)
+        share.candidate.push_back(
+            listed(*job.targets[share.near_grid[n]], share.near_cluster[n], share.candidate_index));
+    part.candidates.end = static_cast<Index>(share.candidate.size());
+    const std::size_t count = last_near - first_near;
+    const Extent<Dim>* near = share.near_extent.data() + first_near;
+    for (Index q = clusters.begin; q < clusters.end; ++q) {
+        const Extent<Dim>& own = job.query.cluster_extent(q);
+        const double cut = job.cut.query_scale * own.max_reach + job.cut.skin;
+        std::uint8_t& equal = share.equal_reach[share.equal_reach.size() - clusters.size() + (q - clusters.begin)];
+        ListView::Row row;
+        row.begin = share.entry.size();
+        share.entry.resize(row.begin + count);
+        std::uint8_t* out = share.entry.data() + row.begin;
+        std::uint32_t n = 0;
+        for (std::size_t c = 0; c < count; ++c) {  // without a branch: write always, go on if it counts
+            const double limit = cut + job.cut.target_scale * near[c].max_reach;
+            const bool is_near = distance2(own.box, near[c].box) < limit * limit;
+            out[n] = static_cast<std::uint8_t>(c);
+            n += is_near;
+            equal &= !is_near || (near[c].min_reach == own.max_reach && near[c].max_reach == own.max_reach);
+        }
+        row.listed = row.near = n;
+        share.entry.resize(row.begin + n);
+        share.row.push_back(row);
+    }
+    share.part.push_back(part);
 }
 
 template <int Dim>
 void NeighborSearch<Dim>::join(NeighborList& list) const {
     list.clear();
-    for (const Share& share : shares_) {
-        list.query_.insert(list.query_.end(), share.query.begin(), share.query.end());
-        list.candidate_.insert(list.candidate_.end(), share.candidate.begin(), share.candidate.end());
-        for (const Index n : share.query_count) list.query_start_.push_back(list.query_start_.back() + n);
-        for (const Index n : share.candidate_count) list.candidate_start_.push_back(list.candidate_start_.back() + n);
-        list.equal_reach_.insert(list.equal_reach_.end(), share.equal_reach.begin(), share.equal_reach.end());
-        list.pairs_ += share.pairs;
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    for (const Share& s : shares_) {
+        const auto parts = static_cast<Index>(list.part_.size()), queries = static_cast<Index>(list.query_.size());
+        const auto candidates = static_cast<Index>(list.candidate_.size());
+        const auto rows = static_cast<std::uint32_t>(list.row_.size());
+        const std::uint64_t entries = list.listed_.size();
+        const auto query_indices = static_cast<Index>(list.query_index_.size());
+        const auto candidate_indices = static_cast<Index>(list.candidate_index_.size());
+        for (const ListView::Block& b : s.block)
+            list.block_.push_back({{b.queries.begin + queries, b.queries.end + queries},
+                                   {b.parts.begin + parts, b.parts.end + parts}});
+        for (const ListView::Part& p : s.part)
+            list.part_.push_back(
+                {{p.candidates.begin + candidates, p.candidates.end + candidates}, p.first_row + rows});
+        for (const ListedCluster& c : s.query)
+            list.query_.push_back({c.first + (c.in_sequence ? 0 : query_indices), c.size, c.in_sequence});
+        for (const ListedCluster& c : s.candidate)
+            list.candidate_.push_back({c.first + (c.in_sequence ? 0 : candidate_indices), c.size, c.in_sequence});
+        for (const ListView::Row& r : s.row) list.row_.push_back({r.begin + entries, r.listed, r.near});
+        append(list.listed_, s.entry);
+        append(list.equal_reach_, s.equal_reach);
+        append(list.query_index_, s.query_index);
+        append(list.candidate_index_, s.candidate_index);
+        list.size_ += s.size;
     }
+    list.near_ = list.listed_;
 }
 
 template <int Dim>
-void NeighborSearch<Dim>::build(const Set& query, std::size_t owned, const Set& target, const PairReach& reach,
-                                int group_size, NeighborList& list) {
-    if (group_size < 1 || group_size > max_group_size) throw std::invalid_argument("group size out of range");
-    const std::size_t cells = query.grid.cells().size();
-    if (cells == 0 || target.grid.cells().empty()) return list.clear();
-    const Job job{query, owned, target, reach, group_size};
-    const int threads = query.position.size() > parallel_threshold ? omp_get_max_threads() : 1;
+void NeighborSearch<Dim>::build(const ClusterGrid<Dim>& query, std::span<const ClusterGrid<Dim>* const> targets,
+                                const CutOff& cut, NeighborList& list) {
+    const Job job{query, targets, cut};
+    const std::size_t blocks = query.blocks();
+    const int threads = query.size() > parallel_threshold ? omp_get_max_threads() : 1;
     shares_.resize(static_cast<std::size_t>(threads));
-    for (std::size_t t = 0; t < shares_.size(); ++t) {
-        shares_[t].first_cell = cells * t / shares_.size();
-        shares_[t].last_cell = cells * (t + 1) / shares_.size();
-    }
+    // Consecutive shares, each searched by one thread in order: the list is the same for any number of threads.
 #pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
-    for (int t = 0; t < threads; ++t) search_cells(job, shares_[static_cast<std::size_t>(t)]);
+    for (int t = 0; t < threads; ++t) {
+        Share& share = shares_[static_cast<std::size_t>(t)];
+        share.clear();
+        const auto share_of = [&](int s) { return blocks * static_cast<std::size_t>(s) / static_cast<std::size_t>(threads); };
+        for (std::size_t b = share_of(t); b < share_of(t + 1); ++b) search_block(job, b, share);
+    }
     join(list);
+}
+
+template <int Dim>
+void NeighborSearch<Dim>::prune(const Set& query, const Set& target, const CutOff& cut, NeighborList& list) {
+    PruneTask<Dim> task;
+    for (int k = 0; k < Dim; ++k) {
+        task.query.position[k] = query.position.c[static_cast<std::size_t>(k)].data();
+        task.target.position[k] = target.position.c[static_cast<std::size_t>(k)].data();
+    }
+    task.query.reach = query.reach.data();
+    task.target.reach = target.reach.data();
+    task.cut = cut;
+    task.list = list.view();
+    task.row = list.row_.data();
+    task.listed = list.listed_.data();
+    task.near = list.near_.data();
+    auto loop = baseline::prune_block<Dim>;
+#ifdef SLUICE_ALL_ISAS
+    if (active_isa() == Isa::avx2) loop = avx2::prune_block<Dim>;
+    if (active_isa() == Isa::avx512) loop = avx512::prune_block<Dim>;
+#endif
+    const auto blocks = static_cast<std::int64_t>(list.blocks());
+    list.work_.resize(list.blocks());
+    std::uint64_t pairs = 0;
+#pragma omp parallel for schedule(dynamic, 4) reduction(+ : pairs) if (list.size() > parallel_threshold)
+    for (std::int64_t b = 0; b < blocks; ++b) {
+        const ListView::Block& block = list.block_[static_cast<std::size_t>(b)];
+        pairs += loop(task, block);
+        std::uint64_t work = 0;
+        for (Index p = block.parts.begin; p < block.parts.end; ++p)
+            for (Index q = 0; q < block.queries.size(); ++q) work += list.row_[list.part_[p].first_row + q].near;
+        list.work_[static_cast<std::size_t>(b)] = work;
+    }
+    for (std::size_t b = 1; b < list.blocks(); ++b) list.work_[b] += list.work_[b - 1];
+    const bool same_set = &query.position == &target.position;
+    list.pairs_ = pairs - (same_set ? list.size() : 0);  // each found itself
+}
+
+template <int Dim>
+std::size_t NeighborSearch<Dim>::bytes() const {
+    std::size_t sum = 0;
+    for (const Share& s : shares_)
+        sum += s.block.capacity() * sizeof(ListView::Block) + s.part.capacity() * sizeof(ListView::Part) +
+               (s.query.capacity() + s.candidate.capacity()) * sizeof(ListedCluster) +
+               s.row.capacity() * sizeof(ListView::Row) + s.entry.capacity() + s.equal_reach.capacity() +
+               (s.query_index.capacity() + s.candidate_index.capacity()) * sizeof(Index);
+    return sum;
 }
 
 template class NeighborSearch<2>;

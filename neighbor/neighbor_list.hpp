@@ -1,123 +1,159 @@
-// Neighbour lists: for each particle of one set, the particles of another (or the same) within a cut-off.
+// Neighbour lists: for each cluster of particles of one set, the clusters of another (or the same) that hold a particle
+// within a cut-off of one of its own.
 //
 // A list is built with a skin: it holds every pair closer than the cut-off plus the skin, and so stays complete until
-// two particles together have moved by more than the skin.
+// two particles together have moved by more than the skin. In between it is pruned with a thinner skin now and then:
+// loops then run over the rows that are left.
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "neighbor/cell_grid.hpp"
+#include "neighbor/cluster_grid.hpp"
 #include "neighbor/fields.hpp"
 
 namespace sluice {
 
-/// The cut-off of a pair: query_scale · the query's reach + target_scale · the target's reach + skin, where the reaches
-/// are those that the grids were built with. An empty span counts as reach 0.
-struct PairReach {
-    std::span<const double> query;
-    std::span<const double> target;
-    double skin = 0;
-    double query_scale = 1;
-    double target_scale = 1;
+/// Most candidates in a part, so that a row's entries are bytes.
+inline constexpr Index part_size = 256;
 
-    double of_query(std::size_t i) const { return query.empty() ? 0.0 : query_scale * query[i]; }
-    double of_target(std::size_t j) const { return target.empty() ? 0.0 : target_scale * target[j]; }
+/// Up to cluster_size particles: `first`, first + 1, … if `in_sequence`, else index[first], index[first + 1], ….
+struct ListedCluster {
+    Index first = 0;
+    std::uint8_t size = 0;
+    bool in_sequence = false;
 };
 
-/// Most particles in a group.
-inline constexpr int max_group_size = 8;
+/// What a loop over pairs sees of a list. Blocks hold consecutive query clusters; a block's candidates come in parts;
+/// for each part, each of the block's clusters has a row of candidates (numbers within the part).
+struct ListView {
+    struct Block {
+        Range queries;  ///< in `query`
+        Range parts;    ///< in `part`
+    };
+    struct Part {
+        Range candidates;         ///< in `candidate`
+        std::uint32_t first_row;  ///< of the block's first query cluster
+    };
+    /// Entries row_begin … row_end − 1 of `entry`.
+    struct Row {
+        std::uint64_t begin = 0;
+        std::uint32_t listed = 0;  ///< entries since the list was built
+        std::uint32_t near = 0;    ///< those of them, in front, that pruning has left
+    };
 
-/// Particles that are near each other form a group and share one list of candidates: every particle that one of them
-/// may have as neighbour. Only groups that have a candidate are listed, so that a pass runs only where it acts. With a
-/// group size of 1 the candidates are the particle's own neighbours.
+    const Block* block = nullptr;
+    const Part* part = nullptr;
+    const ListedCluster* query = nullptr;
+    const ListedCluster* candidate = nullptr;
+    const Row* row = nullptr;
+    const std::uint8_t* entry = nullptr;
+    const std::uint8_t* equal_reach = nullptr;  ///< per query cluster: it and its candidates have one and the same reach
+    const Index* query_index = nullptr;
+    const Index* candidate_index = nullptr;
+};
+
 class NeighborList {
   public:
-    std::size_t groups() const { return candidate_start_.size() - 1; }
-    /// The particles of a group, at most max_group_size.
-    std::span<const Index> queries(std::size_t group) const {
-        return {query_.data() + query_start_[group], query_start_[group + 1] - query_start_[group]};
-    }
-    std::span<const Index> candidates(std::size_t group) const {
-        return {candidate_.data() + candidate_start_[group], candidate_start_[group + 1] - candidate_start_[group]};
-    }
-    /// True if a group's particles and all its candidates have one and the same reach.
-    bool equal_reach(std::size_t group) const { return equal_reach_[group] != 0; }
-    /// Particles in all groups.
-    std::size_t size() const { return query_.size(); }
-    /// Directed pairs within the cut-off, without the skin and without a particle itself, when the list was built.
+    /// Blocks that have a candidate: a pass runs only where it acts.
+    std::size_t blocks() const { return block_.size(); }
+    /// Particles in all blocks.
+    std::size_t size() const { return size_; }
+    /// Directed pairs within the cut-off, without the skin and without a particle itself, when the list was pruned last.
     std::uint64_t pairs() const { return pairs_; }
-    std::size_t bytes() const {
-        return (query_.capacity() + candidate_.capacity() + query_start_.capacity()) * sizeof(Index) +
-               candidate_start_.capacity() * sizeof(std::uint64_t) + equal_reach_.capacity();
+    /// Pairs of clusters that a loop goes over, 16 pairs of particles each.
+    std::uint64_t cluster_pairs() const { return work_.empty() ? 0 : work_.back(); }
+
+    /// calls visit(particle) for the particles of query cluster q or of a candidate.
+    template <class Visit>
+    void for_queries(std::size_t q, Visit&& visit) const {
+        for_members(query_[q], query_index_, visit);
     }
+    template <class Visit>
+    void for_candidates(std::size_t c, Visit&& visit) const {
+        for_members(candidate_[c], candidate_index_, visit);
+    }
+    ListView view() const {
+        return {block_.data(), part_.data(),        query_.data(),       candidate_.data(),      row_.data(),
+                near_.data(),  equal_reach_.data(), query_index_.data(), candidate_index_.data()};
+    }
+    /// The blocks of share k of n: consecutive, of about equal work.
+    Range share(int k, int n) const;
+
+    std::size_t bytes() const;
     void clear();
 
     template <int Dim>
     friend class NeighborSearch;
 
   private:
-    Array<Index> query_;
-    Array<Index> query_start_{0};
-    Array<Index> candidate_;
-    Array<std::uint64_t> candidate_start_{0};
+    template <class Visit>
+    static void for_members(const ListedCluster& c, const Array<Index>& index, Visit&& visit) {
+        for (Index l = 0; l < c.size; ++l) visit(c.in_sequence ? c.first + l : index[c.first + l]);
+    }
+
+    Array<ListView::Block> block_;
+    Array<ListView::Part> part_;
+    Array<ListedCluster> query_, candidate_;
+    Array<ListView::Row> row_;
+    Array<std::uint8_t> listed_, near_;  ///< entries as found, and as pruning left them
     Array<std::uint8_t> equal_reach_;
+    Array<Index> query_index_, candidate_index_;  ///< particles of clusters that are not in sequence
+    Array<std::uint64_t> work_;                   ///< cluster pairs up to each block's end
+    std::size_t size_ = 0;
     std::uint64_t pairs_ = 0;
 };
 
-/// Targets around one cell, packed: read once from memory, then tested against each of the cell's groups.
-template <int Dim>
-struct NearTargets {
-    std::array<ScalarField, Dim> x;
-    ScalarField reach;
-    Array<Index> index;
-
-    void resize(std::size_t n) {
-        for (auto& column : x) column.resize(n);
-        reach.resize(n);
-        index.resize(n);
-    }
+/// The cut-off of a pair: query_scale · reach_i + target_scale · reach_j + skin.
+struct CutOff {
+    double skin = 0;
+    double query_scale = 1, target_scale = 1;
 };
 
-/// Builds lists from cell grids; keeps its buffers between builds.
+/// Builds lists from cluster grids; keeps its buffers between builds.
 template <int Dim>
 class NeighborSearch {
   public:
-    /// A set of particles with the grid built over it.
+    /// Particles, each with its share of a pair's cut-off, and the grids over parts of them.
     struct Set {
         const VectorField<Dim>& position;
-        const CellGrid<Dim>& grid;
+        std::span<const double> reach;
     };
 
-    /// Candidates in `target` for those particles of `query` whose index is below `owned`, in groups of at most
-    /// group_size. Groups stand in the query grid's order, candidates in the target grid's, whatever the number of
-    /// threads. If both sets are the same object, a group's own particles are among its candidates, so that every owned
-    /// particle is listed, one that has nobody else too; with a group size of 1 a particle is not its own.
-    void build(const Set& query, std::size_t owned, const Set& target, const PairReach& reach, int group_size,
+    /// Lists what the target grids hold near the query grid's clusters, and perhaps a little more: distances are those
+    /// of boxes. Clusters stand in the query grid's order, candidates in the target grids', whatever the number of
+    /// threads. If both sets have the same position field, a particle is among its own candidates. Prune before use.
+    void build(const ClusterGrid<Dim>& query, std::span<const ClusterGrid<Dim>* const> targets, const CutOff& cut,
                NeighborList& list);
 
+    /// Shortens the rows to what lies within the cut-off, and counts the pairs within it but for the skin.
+    void prune(const Set& query, const Set& target, const CutOff& cut, NeighborList& list);
+
+    std::size_t bytes() const;
+
   private:
-    /// What one thread finds in its share of the query's cells.
+    /// What one thread finds in its share of the query's blocks.
     struct Share {
-        std::size_t first_cell = 0, last_cell = 0;
-        Array<Index> query, query_count, candidate, candidate_count;
-        Array<std::uint8_t> equal_reach;
-        Array<Index> members;  ///< owned particles of the cell in hand
-        std::uint64_t pairs = 0;
-        NearTargets<Dim> near;        ///< of the cell in hand
-        Array<std::uint8_t> is_near;  ///< of the group in hand
+        Array<ListView::Block> block;
+        Array<ListView::Part> part;
+        Array<ListedCluster> query, candidate;
+        Array<ListView::Row> row;
+        Array<std::uint8_t> entry, equal_reach;
+        Array<Index> query_index, candidate_index;
+        std::size_t size = 0;
+        /// Candidates of the block in hand, as (grid, cluster).
+        Array<Index> near_grid, near_cluster;
+        Array<Extent<Dim>> near_extent;
+        Array<std::uint8_t> is_near;
+        void clear();
     };
-    /// One call of build().
     struct Job {
-        const Set& query;
-        std::size_t owned;
-        const Set& target;
-        const PairReach& reach;
-        int group_size;
+        const ClusterGrid<Dim>& query;
+        std::span<const ClusterGrid<Dim>* const> targets;
+        CutOff cut;
     };
-    static void search_cells(const Job& job, Share& share);
-    static void search_group(const Job& job, std::span<const Index> group, Share& share);
+    static void search_block(const Job& job, std::size_t block, Share& share);
+    static void list_part(const Job& job, Range clusters, std::size_t first_near, std::size_t last_near, Share& share);
     void join(NeighborList& list) const;
 
     std::vector<Share> shares_;

@@ -25,6 +25,14 @@ void parallel_for(std::size_t n, Body&& body) {
     for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
 }
 
+/// The same for bodies worth a microsecond or more each, of unequal cost.
+template <class Body>
+void parallel_for_heavy(std::size_t n, Body&& body) {
+    const auto count = static_cast<std::int64_t>(n);
+#pragma omp parallel for schedule(dynamic, 4) if (n > 8)
+    for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
+}
+
 /// Σ f(i), added up in fixed blocks and then block by block: the same bits for any number of threads.
 /// T needs a zero default and +=. `threshold`: below this many items the calling thread does it all.
 template <class T, std::size_t block = 1024, class F>

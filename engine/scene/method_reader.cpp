@@ -47,6 +47,7 @@ void read_method(TomlTable& root) {
     if (const auto v = table.get("time_step")) method.time_step = v.number(positive);
     const std::vector<std::string> precisions{"double", "mixed"};
     if (const auto v = table.get("precision")) method.precision = precisions[v.choice(precisions)];
+    if (const auto v = table.get("time_stepping")) method.multi_rate = v.choice({"single-rate", "multi-rate"}) == 1;
     if (const auto v = table.get("mach_limit")) method.mach_limit = v.number(positive);
     if (const auto v = table.get("expected_speed")) method.expected_speed = v.number(positive);
     read_fluid(table, method.fluid);

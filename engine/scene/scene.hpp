@@ -80,6 +80,7 @@ struct Method {
     double courant = 0.9;              ///< dt = courant · h / c0, smallest over the media
     std::optional<double> time_step;   ///< fixed dt [s] in place of the Courant limit
     std::string precision = "double";  ///< of the pair arithmetic: double | mixed
+    bool multi_rate = false;           ///< each medium at its own Courant limit, else all at the smallest
     double mach_limit = 0.1;
     std::optional<double> expected_speed;  ///< highest fluid speed expected [m/s]; none = estimated from the scene
     MediumMethod fluid;

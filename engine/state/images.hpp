@@ -6,9 +6,11 @@
 // plane, so that a corner is filled.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "neighbor/fields.hpp"
+#include "neighbor/parallel.hpp"
 
 namespace sluice {
 
@@ -22,7 +24,7 @@ struct MirrorPlane {
     Vec<Dim> reflect_direction(const Vec<Dim>& v) const { return v - 2 * dot(v, normal) * normal; }
 };
 
-/// Which images a set of particles has. Image number k stands at index owned + k and copies a lower index.
+/// Which images a set of particles has. Image number k stands at index owned + k.
 template <int Dim>
 class Images {
   public:
@@ -32,8 +34,12 @@ class Images {
     void create(const std::vector<MirrorPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
                 Range&& range);
 
+    /// Brings the images into another order: image k is then the one that was at index order[k]. The columns must be
+    /// refreshed after it.
+    void reorder(const Array<Index>& order, std::size_t owned);
+
     std::size_t count() const { return parent_.size(); }
-    /// Index of the owned particle or earlier image that image k reflects.
+    /// The owned particle that image k shows.
     Index parent(std::size_t k) const { return parent_[k]; }
 
     /// Appends copies of the parents' entries.
@@ -45,43 +51,78 @@ class Images {
     /// Copies a scalar from each parent.
     template <class T>
     void refresh(Array<T>& column, std::size_t owned) const {
-        for (std::size_t k = 0; k < count(); ++k) column[owned + k] = column[parent_[k]];
+        parallel_for(count(), [&](std::size_t k) { column[owned + k] = column[parent_[k]]; });
     }
     void refresh_positions(VectorField<Dim>& field, std::size_t owned) const {
-        for (std::size_t k = 0; k < count(); ++k)
-            field.set(owned + k, planes_[plane_[k]].reflect_position(field[parent_[k]]));
+        reflect(field, owned, [](const MirrorPlane<Dim>& p, const Vec<Dim>& x) { return p.reflect_position(x); });
     }
     void refresh_directions(VectorField<Dim>& field, std::size_t owned) const {
-        for (std::size_t k = 0; k < count(); ++k)
-            field.set(owned + k, planes_[plane_[k]].reflect_direction(field[parent_[k]]));
+        reflect(field, owned, [](const MirrorPlane<Dim>& p, const Vec<Dim>& v) { return p.reflect_direction(v); });
     }
-    std::size_t bytes() const { return parent_.capacity() * (sizeof(Index) + 1); }
+    std::size_t bytes() const { return parent_.capacity() * sizeof(Index) + path_.capacity(); }
 
   private:
+    /// Planes that lead from an owned particle to an image, the first one first.
+    using Path = std::vector<std::uint8_t>;
+
+    template <class Reflect>
+    void reflect(VectorField<Dim>& field, std::size_t owned, Reflect&& reflect_once) const {
+        parallel_for(count(), [&](std::size_t k) {
+            Vec<Dim> value = field[parent_[k]];
+            for (const std::uint8_t plane : paths_[path_[k]]) value = reflect_once(planes_[plane], value);
+            field.set(owned + k, value);
+        });
+    }
+    std::uint8_t path_to(std::uint8_t from, std::uint8_t plane);
+
     std::vector<MirrorPlane<Dim>> planes_;
-    Array<Index> parent_;
-    Array<std::uint8_t> plane_;
+    std::vector<Path> paths_;
+    Array<Index> parent_, parent_buffer_;
+    Array<std::uint8_t> path_, path_buffer_;  ///< into paths_
 };
+
+/// The number of the path that goes on from path `from` across one more plane.
+template <int Dim>
+std::uint8_t Images<Dim>::path_to(std::uint8_t from, std::uint8_t plane) {
+    Path path = paths_[from];
+    path.push_back(plane);
+    for (std::size_t p = 0; p < paths_.size(); ++p)
+        if (paths_[p] == path) return static_cast<std::uint8_t>(p);
+    paths_.push_back(std::move(path));
+    return static_cast<std::uint8_t>(paths_.size() - 1);
+}
 
 template <int Dim>
 template <class Range>
 void Images<Dim>::create(const std::vector<MirrorPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
                          Range&& range) {
     planes_ = planes;
+    paths_.assign(1, {});
     parent_.clear();
-    plane_.clear();
+    path_.clear();
     position.resize(owned);
     for (std::size_t p = 0; p < planes.size(); ++p) {
         const std::size_t before = position.size();
         for (std::size_t i = 0; i < before; ++i) {
-            std::size_t owner = i;
-            while (owner >= owned) owner = parent_[owner - owned];
+            const Index owner = i < owned ? static_cast<Index>(i) : parent_[i - owned];
             if (planes[p].distance(position[i]) > range(owner)) continue;
-            parent_.push_back(static_cast<Index>(i));
-            plane_.push_back(static_cast<std::uint8_t>(p));
+            parent_.push_back(owner);
+            path_.push_back(path_to(i < owned ? std::uint8_t{0} : path_[i - owned], static_cast<std::uint8_t>(p)));
             position.push_back(planes[p].reflect_position(position[i]));
         }
     }
+}
+
+template <int Dim>
+void Images<Dim>::reorder(const Array<Index>& order, std::size_t owned) {
+    parent_buffer_.resize(count());
+    path_buffer_.resize(count());
+    for (std::size_t k = 0; k < count(); ++k) {
+        parent_buffer_[k] = parent_[order[k] - owned];
+        path_buffer_[k] = path_[order[k] - owned];
+    }
+    parent_.swap(parent_buffer_);
+    path_.swap(path_buffer_);
 }
 
 }  // namespace sluice

@@ -39,6 +39,11 @@ struct SolidPhase : PhaseBase<Dim> {
     TupleField<Dim * Dim> velocity_gradient;  ///< dv_i/dx_j, row-major [1/s]
     Array<std::uint8_t> clamped;              ///< 1 = held fixed
     VectorField<Dim> velocity_correction;     ///< velocity filter, only if the scene filters its solids [m/s]
+
+    // Only if there is an interface: its force, constant over a step, and the motion over the step that it goes with.
+    VectorField<Dim> interface_acceleration;  ///< [m/s²]
+    VectorField<Dim> halfway_position;        ///< (x^n + x^(n+1))/2; x^n while the step is under way [m]
+    VectorField<Dim> mean_velocity;           ///< (x^(n+1) − x^n)/Δt [m/s]
 };
 
 /// Layers of fixed ghosts of rigid walls; their pressure is taken from the fluid in front of them.
@@ -65,6 +70,8 @@ struct InterfaceElements {
     ScalarField image_pressure;    ///< the part of it that images of fluid particles contribute [Pa]
     ScalarField solid_weight;      ///< Σ V W over the solid around it, by which forces are shared out
     VectorField<Dim> force;        ///< of the fluid on the element [N; N/m in 2D]
+    VectorField<Dim> shared_force; ///< force/solid_weight
+    ScalarField smoothing_length;  ///< of the solid [m]
     Array<std::uint16_t> body;     ///< index into Scene::bodies
 };
 

@@ -142,6 +142,10 @@ void place_interface(const Scene& scene, const std::vector<Packing>& packings, S
             first_id += static_cast<Index>(packings[b].position.size());
         }
         state.surface.allocate(state.elements);
+        state.elements.smoothing_length.assign(state.elements.owned, state.solid.smoothing_length[0]);
+        state.solid.interface_acceleration.resize(state.solid.owned);
+        state.solid.halfway_position.resize(state.solid.owned);
+        state.solid.mean_velocity.resize(state.solid.owned);
     } else {
         scene.fail("dimension",
                    "found 3 for a scene with both fluid and solid bodies; the interface between them is "

@@ -6,12 +6,17 @@
 namespace sluice {
 namespace {
 
+Array<double>& buffer_for(ReorderBuffers& b, const Array<double>&) { return b.reals; }
+Array<std::uint32_t>& buffer_for(ReorderBuffers& b, const Array<std::uint32_t>&) { return b.words; }
+Array<std::uint16_t>& buffer_for(ReorderBuffers& b, const Array<std::uint16_t>&) { return b.halves; }
+Array<std::uint8_t>& buffer_for(ReorderBuffers& b, const Array<std::uint8_t>&) { return b.bytes; }
+
 template <class Phase>
-void reorder_columns(Phase& phase, const Array<Index>& order) {
+void reorder_columns(Phase& phase, const Array<Index>& order, ReorderBuffers& buffers) {
     visit_columns(phase, [&](auto& column) {
         if (column.empty()) return;
-        using Column = std::remove_reference_t<decltype(column)>;
-        Column moved(order.size());
+        auto& moved = buffer_for(buffers, column);
+        moved.resize(order.size());
         parallel_for(order.size(), [&](std::size_t k) { moved[k] = column[order[k]]; });
         column.swap(moved);
     });
@@ -21,17 +26,24 @@ void reorder_columns(Phase& phase, const Array<Index>& order) {
 }  // namespace
 
 template <int Dim>
-void reorder(FluidPhase<Dim>& phase, const Array<Index>& order) {
-    reorder_columns(phase, order);
+void reorder(FluidPhase<Dim>& phase, const Array<Index>& order, ReorderBuffers& buffers) {
+    reorder_columns(phase, order, buffers);
 }
 template <int Dim>
-void reorder(SolidPhase<Dim>& phase, const Array<Index>& order) {
-    reorder_columns(phase, order);
+void reorder(SolidPhase<Dim>& phase, const Array<Index>& order, ReorderBuffers& buffers) {
+    reorder_columns(phase, order, buffers);
+}
+template <int Dim>
+void reorder(WallPhase<Dim>& phase, const Array<Index>& order, ReorderBuffers& buffers) {
+    reorder_columns(phase, order, buffers);
 }
 
-template void reorder<2>(FluidPhase<2>&, const Array<Index>&);
-template void reorder<3>(FluidPhase<3>&, const Array<Index>&);
-template void reorder<2>(SolidPhase<2>&, const Array<Index>&);
-template void reorder<3>(SolidPhase<3>&, const Array<Index>&);
+#define SLUICE_INSTANTIATE(Dim)                                                          \
+    template void reorder<Dim>(FluidPhase<Dim>&, const Array<Index>&, ReorderBuffers&); \
+    template void reorder<Dim>(SolidPhase<Dim>&, const Array<Index>&, ReorderBuffers&); \
+    template void reorder<Dim>(WallPhase<Dim>&, const Array<Index>&, ReorderBuffers&);
+SLUICE_INSTANTIATE(2)
+SLUICE_INSTANTIATE(3)
+#undef SLUICE_INSTANTIATE
 
 }  // namespace sluice

@@ -47,6 +47,7 @@ void SurfaceChains::allocate(InterfaceElements<2>& elements) const {
     elements.area_normal.resize(n);
     elements.velocity.resize(n);
     elements.force.resize(n);
+    elements.shared_force.resize(n);
     elements.pressure.assign(n, 0);
     elements.image_pressure.assign(n, 0);
     elements.solid_weight.assign(n, 0);
@@ -54,12 +55,12 @@ void SurfaceChains::allocate(InterfaceElements<2>& elements) const {
     for (const Chain& chain : chains_) elements.body.insert(elements.body.end(), chain.ids.size(), chain.body);
 }
 
-void SurfaceChains::update(const SolidPhase<2>& solid, const std::vector<Index>& index_of_id,
+void SurfaceChains::update(const VectorField<2>& position, const std::vector<Index>& index_of_id,
                            InterfaceElements<2>& elements) const {
     std::size_t k = 0;
     for (const Chain& chain : chains_) {
         const std::size_t n = chain.ids.size();
-        const auto particle = [&](std::size_t i) { return solid.position[index_of_id[chain.ids[i % n]]]; };
+        const auto particle = [&](std::size_t i) { return position[index_of_id[chain.ids[i % n]]]; };
         const auto vertex = [&](std::size_t i) {
             return offset_vertex(particle(i + n - 1), particle(i), particle(i + 1), chain.half_spacing);
         };

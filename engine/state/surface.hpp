@@ -23,7 +23,7 @@ class SurfaceChains {
     bool empty() const { return chains_.empty(); }
 
     /// Position and area normal of every element, from the solid's positions. `index_of_id` finds a particle.
-    void update(const SolidPhase<2>& solid, const std::vector<Index>& index_of_id,
+    void update(const VectorField<2>& position, const std::vector<Index>& index_of_id,
                 InterfaceElements<2>& elements) const;
     /// Sizes the columns and sets what does not change.
     void allocate(InterfaceElements<2>& elements) const;

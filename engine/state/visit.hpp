@@ -38,6 +38,9 @@ void visit_columns(SolidPhase<Dim>& p, F&& f) {
     detail::visit_columns(p.artificial_stress, f);
     detail::visit_columns(p.velocity_gradient, f);
     detail::visit_columns(p.velocity_correction, f);
+    detail::visit_columns(p.interface_acceleration, f);
+    detail::visit_columns(p.halfway_position, f);
+    detail::visit_columns(p.mean_velocity, f);
     f(p.clamped);
 }
 
@@ -53,7 +56,8 @@ void visit_columns(InterfaceElements<Dim>& p, F&& f) {
     detail::visit_columns(p.area_normal, f);
     detail::visit_columns(p.velocity, f);
     detail::visit_columns(p.force, f);
-    f(p.pressure), f(p.image_pressure), f(p.solid_weight), f(p.body);
+    detail::visit_columns(p.shared_force, f);
+    f(p.pressure), f(p.image_pressure), f(p.solid_weight), f(p.smoothing_length), f(p.body);
 }
 
 /// Bytes that the phase's columns hold.

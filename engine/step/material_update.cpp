@@ -1,21 +1,54 @@
 #include "engine/step/material_update.hpp"
 
-#include "kernels/terms/artificial_stress.hpp"
+#include "kernels/terms/tensile_correction.hpp"
 #include "kernels/terms/jaumann.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
+namespace {
+
+template <int Dim>
+void set_fluid_pressure(FluidPhase<Dim>& fluid, const LinearEquationOfState& eos, std::size_t i) {
+    const double rho = fluid.density[i], p = eos.pressure(rho);
+    fluid.pressure[i] = p;
+    fluid.pressure_over_rho2[i] = p / (rho * rho);
+}
+
+template <int Dim>
+void set_solid_stress(SolidPhase<Dim>& solid, const LinearEquationOfState& eos, double artificial_stress,
+                      std::size_t i) {
+    const double rho = solid.density[i], p = eos.pressure(rho);
+    solid.pressure[i] = p;
+    auto s = solid.deviatoric_stress[i];
+    for (int k = 0; k < Dim; ++k) s[k] -= p;
+    s *= 1 / (rho * rho);
+    solid.stress_over_rho2.set(i, s);
+    if (artificial_stress != 0) solid.artificial_stress.set(i, tensile_correction(s, artificial_stress));
+}
+
+template <int Dim>
+void advance_stress(SolidPhase<Dim>& solid, double shear_modulus, double dt, std::size_t i) {
+    const auto packed = solid.velocity_gradient[i];
+    Tensor<Dim> gradient;
+    for (int k = 0; k < Dim * Dim; ++k) gradient(k / Dim, k % Dim) = packed[k];
+    const Tensor<Dim> s = sym_to_tensor<Dim>(solid.deviatoric_stress[i]);
+    solid.deviatoric_stress.set(i, tensor_to_sym<Dim>(advance_deviatoric_stress<Dim>(s, gradient, shear_modulus, dt)));
+}
+
+template <int Dim>
+void advance_position_and_density(PhaseBase<Dim>& phase, double dt, std::size_t i) {
+    phase.position.set(i, phase.position[i] + 0.5 * dt * phase.velocity[i]);
+    phase.density[i] += dt * phase.density_rate[i];
+}
+
+}  // namespace
 
 template <int Dim>
 void update_fluid_pressure(State<Dim>& state) {
     auto& fluid = state.fluid;
     if (fluid.owned == 0) return;
     const LinearEquationOfState eos = state.water->eos;
-    parallel_for(fluid.owned, [&](std::size_t i) {
-        const double rho = fluid.density[i], p = eos.pressure(rho);
-        fluid.pressure[i] = p;
-        fluid.pressure_over_rho2[i] = p / (rho * rho);
-    });
+    parallel_for(fluid.owned, [&](std::size_t i) { set_fluid_pressure(fluid, eos, i); });
 }
 
 template <int Dim>
@@ -23,41 +56,43 @@ void update_solid_stress(State<Dim>& state, double artificial_stress) {
     auto& solid = state.solid;
     if (solid.owned == 0) return;
     const LinearEquationOfState eos = state.rubber->eos;
-    parallel_for(solid.owned, [&](std::size_t i) {
-        const double rho = solid.density[i], p = eos.pressure(rho);
-        solid.pressure[i] = p;
-        auto s = solid.deviatoric_stress[i];
-        for (int k = 0; k < Dim; ++k) s[k] -= p;
-        s *= 1 / (rho * rho);
-        solid.stress_over_rho2.set(i, s);
-        if (artificial_stress != 0) solid.artificial_stress.set(i, tensile_correction(s, artificial_stress));
+    parallel_for(solid.owned, [&](std::size_t i) { set_solid_stress(solid, eos, artificial_stress, i); });
+}
+
+template <int Dim>
+void finish_fluid_step(State<Dim>& state, double dt) {
+    auto& fluid = state.fluid;
+    if (fluid.owned == 0) return;
+    const LinearEquationOfState eos = state.water->eos;
+    parallel_for(fluid.owned, [&](std::size_t i) {
+        advance_position_and_density(fluid, dt, i);
+        for (const MirrorPlane<Dim>& plane : state.mirrors) {
+            if (plane.distance(fluid.position[i]) >= 0) continue;
+            fluid.position.set(i, plane.reflect_position(fluid.position[i]));
+            fluid.velocity.set(i, plane.reflect_direction(fluid.velocity[i]));
+        }
+        set_fluid_pressure(fluid, eos, i);
     });
 }
 
 template <int Dim>
-void advance_density(PhaseBase<Dim>& phase, double dt) {
-    parallel_for(phase.owned, [&](std::size_t i) { phase.density[i] += dt * phase.density_rate[i]; });
-}
-
-template <int Dim>
-void advance_stress(State<Dim>& state, double dt) {
+void finish_solid_step(State<Dim>& state, double artificial_stress, double dt) {
     auto& solid = state.solid;
     if (solid.owned == 0) return;
+    const LinearEquationOfState eos = state.rubber->eos;
     const double mu = state.rubber->shear_modulus;
     parallel_for(solid.owned, [&](std::size_t i) {
-        const auto packed = solid.velocity_gradient[i];
-        Tensor<Dim> gradient;
-        for (int k = 0; k < Dim * Dim; ++k) gradient(k / Dim, k % Dim) = packed[k];
-        const Tensor<Dim> s = sym_to_tensor<Dim>(solid.deviatoric_stress[i]);
-        solid.deviatoric_stress.set(i, tensor_to_sym<Dim>(advance_deviatoric_stress<Dim>(s, gradient, mu, dt)));
+        advance_position_and_density(solid, dt, i);
+        advance_stress(solid, mu, dt, i);
+        set_solid_stress(solid, eos, artificial_stress, i);
     });
 }
 
 #define SLUICE_INSTANTIATE(Dim)                                  \
     template void update_fluid_pressure<Dim>(State<Dim>&);       \
     template void update_solid_stress<Dim>(State<Dim>&, double); \
-    template void advance_density<Dim>(PhaseBase<Dim>&, double); \
-    template void advance_stress<Dim>(State<Dim>&, double);
+    template void finish_fluid_step<Dim>(State<Dim>&, double);   \
+    template void finish_solid_step<Dim>(State<Dim>&, double, double);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

@@ -13,12 +13,14 @@ void update_fluid_pressure(State<Dim>& state);
 template <int Dim>
 void update_solid_stress(State<Dim>& state, double artificial_stress);
 
-/// ρ += dρ/dt Δt for both media.
+/// The second half of a fluid's step: x += v Δt/2, ρ += dρ/dt Δt, then p and p/ρ². A particle that slipped through a
+/// mirror plane changes places with its image, which is the same state.
 template <int Dim>
-void advance_density(PhaseBase<Dim>& phase, double dt);
+void finish_fluid_step(State<Dim>& state, double dt);
 
-/// S over one step of the solid's velocity gradient (kernels/terms/jaumann.hpp).
+/// The second half of a solid's step: x += v Δt/2, ρ += dρ/dt Δt, S over the step's velocity gradient
+/// (kernels/terms/jaumann.hpp), then as update_solid_stress().
 template <int Dim>
-void advance_stress(State<Dim>& state, double dt);
+void finish_solid_step(State<Dim>& state, double artificial_stress, double dt);
 
 }  // namespace sluice

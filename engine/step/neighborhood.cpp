@@ -1,140 +1,231 @@
 #include "engine/step/neighborhood.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <array>
+#include <cmath>
 
-#include "engine/state/reorder.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
 namespace {
 
-/// Skin over the smallest smoothing length. A thicker skin means fewer builds but more pairs outside the support in
-/// every pass; the optimum is flat.
+/// Skin over the smallest smoothing length of its medium. A thicker skin means fewer builds but more to prune; the
+/// optimum is flat.
 constexpr double skin_over_h = 0.25;
 
-/// Builds between two sorts: order in memory decays slowly, by a spacing or so in this many builds.
-constexpr std::uint64_t builds_per_sort = 8;
+/// Particles in a full cell: 8² or 4³.
+constexpr double cell_particles = 64;
 
-double smallest(const ScalarField& h, double otherwise) {
-    return h.empty() ? otherwise : *std::min_element(h.begin(), h.end());
+double smallest(const ScalarField& h) { return h.empty() ? 1.0 : *std::min_element(h.begin(), h.end()); }
+double largest(const ScalarField& h) { return h.empty() ? 1.0 : *std::max_element(h.begin(), h.end()); }
+
+template <int Dim>
+SkinAccount skin_for(const ScalarField& h) {
+    return SkinAccount(skin_over_h * smallest(h), smallest(h));
 }
 
 }  // namespace
 
 template <int Dim>
-Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects)
-    : state_(state), effects_(effects), skin_(skin_over_h * state.min_h) {
-    rebuild();
-}
-
-template <int Dim>
-void Neighborhood<Dim>::rebuild() {
-    if (builds_ % builds_per_sort == 0)
-        sort_particles();
-    else
-        drop_images();
-    if constexpr (Dim == 2)
-        if (!state_.surface.empty()) state_.surface.update(state_.solid, solid_index_of_id_, state_.elements);
-    make_images();
-    build_grids();
-    build_lists();
-    moved_ = 0;
-    ++builds_;
-}
-
-template <int Dim>
-void Neighborhood<Dim>::sort_particles() {
-    // Finer than the search cells, so that the members of a group, which follow each other, lie close together.
-    if (state_.fluid.owned > 0) {
-        const double cell = 0.5 * smallest(state_.fluid.smoothing_length, 1);
-        fluid_grid_.build(state_.fluid.position, state_.fluid.owned, cell);
-        reorder(state_.fluid, fluid_grid_.order());
+Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d)
+    : state_(state),
+      effects_(effects),
+      cell_over_h_(std::pow(cell_particles, 1.0 / Dim) / h_over_d),
+      fluid_skin_(skin_for<Dim>(state.fluid.smoothing_length)),
+      solid_skin_(skin_for<Dim>(state.solid.smoothing_length)),
+      coupling_skin_(skin_over_h * state.min_h, state.min_h) {
+    if (effects.has(Effect::fixed_wall)) {
+        auto& wall = state_.wall;
+        wall_grid_.build(wall.position, 0, wall.owned, cell_over_h_ * largest(wall.smoothing_length),
+                         wall.smoothing_length);
+        reorder(wall, wall_grid_.order(), buffers_);
+        wall_grid_.particles_were_sorted(0);
+        make_wall_images();
     }
-    if (state_.solid.owned > 0) {
-        const double cell = 0.5 * smallest(state_.solid.smoothing_length, 1);
-        solid_grid_.build(state_.solid.position, state_.solid.owned, cell);
-        reorder(state_.solid, solid_grid_.order());
-    }
-    solid_index_of_id_.resize(state_.solid.owned);
-    for (std::size_t i = 0; i < state_.solid.owned; ++i) solid_index_of_id_[state_.solid.id[i]] = static_cast<Index>(i);
+    build_solid();
+    build_fluid();
+    build_coupling();
 }
 
 template <int Dim>
-void Neighborhood<Dim>::drop_images() {
+void Neighborhood<Dim>::add_motion(double of_fluid, double of_solid) {
+    fluid_skin_.add_motion(of_fluid);
+    coupling_skin_.add_motion(0.5 * (of_fluid + of_solid));  // elements and particles together: not twice the larger
+}
+
+template <int Dim>
+void Neighborhood<Dim>::update() {
+    update_solid();
+    const bool fluid_moved = fluid_skin_.outdated();
+    if (fluid_moved)
+        build_fluid();
+    else if (fluid_skin_.prune_due())
+        prune_fluid();
+    if (fluid_moved || coupling_skin_.outdated()) build_coupling();
+}
+
+template <int Dim>
+void Neighborhood<Dim>::update_solid() {
+    if (state_.solid.owned == 0) return;
+    if (solid_skin_.outdated()) {
+        build_solid();
+        if (effects_.has(Effect::interface_force)) build_coupling();
+    } else if (solid_skin_.prune_due())
+        prune_solid();
+}
+
+template <int Dim>
+void Neighborhood<Dim>::sort_fluid() {
     auto& fluid = state_.fluid;
-    fluid.position.resize(fluid.owned);
-    fluid.velocity.resize(fluid.owned);
-    for (ScalarField* column :
-         {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
-        column->resize(fluid.owned);
+    fluid_grid_.build(fluid.position, 0, fluid.owned, cell_over_h_ * largest(fluid.smoothing_length),
+                      fluid.smoothing_length);
+    reorder(fluid, fluid_grid_.order(), buffers_);
+    fluid_grid_.particles_were_sorted(0);
 }
 
 template <int Dim>
-void Neighborhood<Dim>::make_images() {
-    if (!effects_.has(Effect::mirror_wall)) return;
-    const auto& mirrors = state_.mirrors;
+void Neighborhood<Dim>::sort_solid() {
+    auto& solid = state_.solid;
+    solid_grid_.build(solid.position, 0, solid.owned, cell_over_h_ * largest(solid.smoothing_length),
+                      solid.smoothing_length);
+    reorder(solid, solid_grid_.order(), buffers_);
+    solid_grid_.particles_were_sorted(0);
+    solid_index_of_id_.resize(solid.owned);
+    for (std::size_t i = 0; i < solid.owned; ++i) solid_index_of_id_[solid.id[i]] = static_cast<Index>(i);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::make_fluid_images() {
+    auto& fluid = state_.fluid;
     // A particle at distance s from the plane has its image at −s; the nearest that can feel it stands on the plane.
-    auto& fluid = state_.fluid;
-    const double farthest = state_.max_h + skin_;
-    fluid_images_.create(mirrors, fluid.position, fluid.owned,
+    const double farthest = state_.max_h + fluid_skin_.skin();
+    fluid_images_.create(state_.mirrors, fluid.position, fluid.owned,
                          [&](std::size_t i) { return fluid.smoothing_length[i] + farthest; });
+    const std::size_t n = fluid.position.size();
+    fluid.smoothing_length.resize(fluid.owned);
+    fluid_images_.extend(fluid.smoothing_length, fluid.owned);
+    fluid_image_grid_.build(fluid.position, fluid.owned, n, cell_over_h_ * largest(fluid.smoothing_length),
+                            fluid.smoothing_length);
+    fluid_images_.reorder(fluid_image_grid_.order(), fluid.owned);
+    fluid_image_grid_.particles_were_sorted(fluid.owned);
     for (ScalarField* column :
          {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
         fluid_images_.extend(*column, fluid.owned);
-    fluid.velocity.resize(fluid.owned + fluid_images_.count());
+    fluid.velocity.resize(n);
+    refresh_fluid_positions();
     refresh_fluid_velocities();
+}
 
+template <int Dim>
+void Neighborhood<Dim>::make_wall_images() {
+    if (!effects_.has(Effect::mirror_wall)) return;
     auto& wall = state_.wall;
-    wall_images_.create(mirrors, wall.position, wall.owned,
+    const double farthest = state_.max_h + fluid_skin_.skin();
+    wall_images_.create(state_.mirrors, wall.position, wall.owned,
                         [&](std::size_t i) { return wall.smoothing_length[i] + farthest; });
+    wall_images_.extend(wall.smoothing_length, wall.owned);
+    wall_image_grid_.build(wall.position, wall.owned, wall.position.size(),
+                           cell_over_h_ * largest(wall.smoothing_length), wall.smoothing_length);
+    wall_images_.reorder(wall_image_grid_.order(), wall.owned);
+    wall_image_grid_.particles_were_sorted(wall.owned);
+    wall_images_.refresh_positions(wall.position, wall.owned);
     for (ScalarField* column : {&wall.volume, &wall.smoothing_length, &wall.pressure})
         wall_images_.extend(*column, wall.owned);
+}
 
+template <int Dim>
+void Neighborhood<Dim>::make_element_images() {
     auto& elements = state_.elements;
-    element_images_.create(mirrors, elements.position, elements.owned,
-                           [&](std::size_t) { return state_.max_h + farthest; });
-    elements.area_normal.resize(elements.owned + element_images_.count());
-    elements.velocity.resize(elements.owned + element_images_.count());
+    const double farthest = 2 * state_.max_h + coupling_skin_.skin();
+    element_images_.create(state_.mirrors, elements.position, elements.owned, [&](std::size_t) { return farthest; });
+    const std::size_t n = elements.position.size();
+    elements.area_normal.resize(n);
+    elements.velocity.resize(n);
+    elements.shared_force.resize(n);
+    element_images_.extend(elements.smoothing_length, elements.owned);
+    element_image_grid_.build(elements.position, elements.owned, n, cell_over_h_ * state_.max_h);
+    element_images_.reorder(element_image_grid_.order(), elements.owned);
+    element_image_grid_.particles_were_sorted(elements.owned);
     refresh_elements();
 }
 
 template <int Dim>
-void Neighborhood<Dim>::build_grids() {
-    const double cell = 2 * state_.min_h + skin_;
-    const auto& fluid = state_.fluid;
-    const auto& solid = state_.solid;
-    const auto& wall = state_.wall;
-    fluid_grid_.build(fluid.position, fluid.position.size(), cell, fluid.smoothing_length);
-    solid_grid_.build(solid.position, solid.owned, cell, solid.smoothing_length);
-    if (effects_.has(Effect::fixed_wall))
-        wall_grid_.build(wall.position, wall.position.size(), cell, wall.smoothing_length);
-    if (effects_.has(Effect::interface_force))
-        element_grid_.build(state_.elements.position, state_.elements.position.size(), cell);
+void Neighborhood<Dim>::build_fluid() {
+    if (state_.fluid.owned == 0) return;
+    sort_fluid();
+    if (effects_.has(Effect::mirror_wall)) make_fluid_images();
+    const std::array<const Grid*, 2> fluids{&fluid_grid_, &fluid_image_grid_};
+    const std::array<const Grid*, 2> walls{&wall_grid_, &wall_image_grid_};
+    const CutOff cut{fluid_skin_.skin()};
+    search_.build(fluid_grid_, fluids, cut, fluid_fluid);
+    if (effects_.has(Effect::fixed_wall)) {
+        search_.build(fluid_grid_, walls, cut, fluid_wall);
+        search_.build(wall_grid_, fluids, cut, wall_fluid);
+    }
+    fluid_skin_.was_built();
+    prune_fluid();
+    ++builds_;
 }
 
 template <int Dim>
-void Neighborhood<Dim>::build_lists() {
+void Neighborhood<Dim>::prune_fluid() {
     using Set = typename NeighborSearch<Dim>::Set;
-    const auto& [fluid, solid, wall, elements] = std::tie(state_.fluid, state_.solid, state_.wall, state_.elements);
-    const Set fluids{fluid.position, fluid_grid_}, solids{solid.position, solid_grid_};
-    const Set walls{wall.position, wall_grid_}, faces{elements.position, element_grid_};
-    const auto& h_f = fluid.smoothing_length;
-    const auto& h_s = solid.smoothing_length;
-    const auto& h_w = wall.smoothing_length;
-    // Support 2h with the pair's mean h: the reaches h_i + h_j. Between an element and a particle: the particle's 2h.
-    search_.build(fluids, fluid.owned, fluids, {h_f, h_f, skin_}, max_group_size, fluid_fluid);
-    search_.build(solids, solid.owned, solids, {h_s, h_s, skin_}, max_group_size, solid_solid);
-    if (effects_.has(Effect::fixed_wall)) {
-        search_.build(fluids, fluid.owned, walls, {h_f, h_w, skin_}, max_group_size, fluid_wall);
-        search_.build(walls, wall.owned, fluids, {h_w, h_f, skin_}, max_group_size, wall_fluid);
+    const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
+    const Set wall{state_.wall.position, state_.wall.smoothing_length};
+    const CutOff cut{fluid_skin_.prune()};
+    search_.prune(fluid, fluid, cut, fluid_fluid);
+    if (!effects_.has(Effect::fixed_wall)) return;
+    search_.prune(fluid, wall, cut, fluid_wall);
+    search_.prune(wall, fluid, cut, wall_fluid);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::build_solid() {
+    if (state_.solid.owned == 0) return;
+    sort_solid();
+    const std::array<const Grid*, 1> solids{&solid_grid_};
+    search_.build(solid_grid_, solids, {solid_skin_.skin()}, solid_solid);
+    solid_skin_.was_built();
+    prune_solid();
+}
+
+template <int Dim>
+void Neighborhood<Dim>::prune_solid() {
+    const typename NeighborSearch<Dim>::Set solid{state_.solid.position, state_.solid.smoothing_length};
+    search_.prune(solid, solid, {solid_skin_.prune()}, solid_solid);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::build_coupling() {
+    if (!effects_.has(Effect::interface_force)) return;
+    auto& elements = state_.elements;
+    if constexpr (Dim == 2) state_.surface.update(state_.solid.position, solid_index_of_id_, elements);
+    element_grid_.build(elements.position, 0, elements.owned, cell_over_h_ * state_.max_h);
+    if (effects_.has(Effect::mirror_wall)) make_element_images();
+    using Set = typename NeighborSearch<Dim>::Set;
+    const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
+    const Set solid{state_.solid.position, state_.solid.smoothing_length};
+    const Set faces{elements.position, elements.smoothing_length};
+    // Between an element and a particle: the particle's support 2h.
+    const CutOff of_target{coupling_skin_.skin(), 0, 2}, of_query{coupling_skin_.skin(), 2, 0};
+    const auto list = [&](const Grid& query, const Set& a, const Grid& target, const Set& b, const CutOff& cut,
+                          NeighborList& to) {
+        const std::array<const Grid*, 1> targets{&target};
+        // The particles' grids are as old as their lists.
+        CutOff wide = cut;
+        wide.skin += fluid_skin_.motion() + solid_skin_.motion();
+        search_.build(query, targets, wide, to);
+        search_.prune(a, b, cut, to);
+    };
+    list(element_grid_, faces, fluid_grid_, fluid, of_target, element_fluid);
+    list(fluid_grid_, fluid, element_grid_, faces, of_query, fluid_element);
+    list(element_grid_, faces, solid_grid_, solid, of_target, element_solid);
+    list(solid_grid_, solid, element_grid_, faces, of_query, solid_element);
+    if (effects_.has(Effect::mirror_wall)) {
+        list(element_grid_, faces, fluid_image_grid_, fluid, of_target, element_image);
+        list(fluid_grid_, fluid, element_image_grid_, faces, of_query, image_element);
     }
-    if (effects_.has(Effect::interface_force)) {
-        search_.build(faces, elements.owned, fluids, {{}, h_f, skin_, 1, 2}, 1, element_fluid);
-        search_.build(fluids, fluid.owned, faces, {h_f, {}, skin_, 2, 1}, 1, fluid_element);
-        search_.build(faces, elements.owned, solids, {{}, h_s, skin_, 1, 2}, 1, element_solid);
-        search_.build(solids, solid.owned, faces, {h_s, {}, skin_, 2, 1}, 1, solid_element);
-    }
+    coupling_skin_.was_built();
 }
 
 template <int Dim>
@@ -167,24 +258,16 @@ void Neighborhood<Dim>::refresh_wall_pressure() {
 }
 
 template <int Dim>
-void Neighborhood<Dim>::reflect_strays() {
-    if (!effects_.has(Effect::mirror_wall)) return;
-    auto& fluid = state_.fluid;
-    for (const MirrorPlane<Dim>& plane : state_.mirrors)
-        parallel_for(fluid.owned, [&](std::size_t i) {
-            if (plane.distance(fluid.position[i]) >= 0) return;
-            fluid.position.set(i, plane.reflect_position(fluid.position[i]));
-            fluid.velocity.set(i, plane.reflect_direction(fluid.velocity[i]));
-        });
-}
-
-template <int Dim>
 std::size_t Neighborhood<Dim>::bytes() const {
-    std::size_t sum = 0;
+    std::size_t sum = search_.bytes();
     for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid,
-                                     &fluid_element, &element_solid, &solid_element})
+                                     &fluid_element, &element_solid, &solid_element, &element_image, &image_element})
         sum += list->bytes();
-    return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes();
+    for (const Grid* grid : {&fluid_grid_, &fluid_image_grid_, &wall_grid_, &wall_image_grid_, &solid_grid_,
+                             &element_grid_, &element_image_grid_})
+        sum += grid->bytes();
+    return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes() +
+           buffers_.reals.capacity() * sizeof(double);
 }
 
 template class Neighborhood<2>;

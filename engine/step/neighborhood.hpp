@@ -1,10 +1,13 @@
-// Who meets whom: keeps particles in Morton order, makes images at mirror walls, and holds the neighbour lists.
+// Who meets whom: keeps particles in the order of their clusters, makes images at mirror walls, and holds the neighbour
+// lists.
 #pragma once
 
 #include <vector>
 
+#include "engine/state/reorder.hpp"
 #include "engine/state/state.hpp"
-#include "neighbor/cell_grid.hpp"
+#include "engine/step/skin.hpp"
+#include "neighbor/cluster_grid.hpp"
 #include "neighbor/neighbor_list.hpp"
 
 namespace sluice {
@@ -12,14 +15,19 @@ namespace sluice {
 template <int Dim>
 class Neighborhood {
   public:
-    Neighborhood(State<Dim>& state, const Effects& effects);
+    /// h_over_d: smoothing length over spacing, for the size of the cells.
+    Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d);
 
-    /// Tells that no particle has moved farther than this since the last call. [m]
-    void add_motion(double distance) { moved_ += distance; }
-    /// True if some pair may have come within its support without being listed.
-    bool outdated() const { return 2 * moved_ > skin_; }
-    /// Re-sorts the particles and builds images and lists anew.
-    void rebuild();
+    /// Tells that no solid particle has moved farther than this in a sub-step. [m]
+    void add_solid_motion(double distance) { solid_skin_.add_motion(distance); }
+    /// Tells that in a whole step no particle has moved farther than this. [m]
+    void add_motion(double of_fluid, double of_solid);
+
+    /// Brings lists up to date for the step to come: builds, or prunes, those that need it. Particles may change their
+    /// places in memory.
+    void update();
+    /// The same for what a solid's sub-step needs.
+    void update_solid();
 
     /// Images follow their owners.
     void refresh_fluid_positions();
@@ -27,8 +35,6 @@ class Neighborhood {
     void refresh_fluid_scalars();
     void refresh_elements();
     void refresh_wall_pressure();
-    /// A fluid particle that slipped through a mirror plane changes places with its image, which is the same state.
-    void reflect_strays();
 
     const std::vector<Index>& solid_index_of_id() const { return solid_index_of_id_; }
     std::uint64_t builds() const { return builds_; }
@@ -36,24 +42,34 @@ class Neighborhood {
 
     // a_b: for each particle of a, its neighbours among b
     NeighborList fluid_fluid, fluid_wall, wall_fluid, solid_solid;
-    NeighborList element_fluid, fluid_element, element_solid, solid_element;
+    NeighborList element_solid, solid_element, element_fluid, fluid_element;
+    NeighborList element_image;  ///< elements and the images of fluid particles
+    NeighborList image_element;  ///< fluid particles and the images of elements
 
   private:
-    void sort_particles();
-    void drop_images();
-    void make_images();
-    void build_grids();
-    void build_lists();
+    using Grid = ClusterGrid<Dim>;
+
+    void build_fluid();
+    void build_solid();
+    void build_coupling();
+    void prune_fluid();
+    void prune_solid();
+    void sort_fluid();
+    void sort_solid();
+    void make_fluid_images();
+    void make_wall_images();
+    void make_element_images();
 
     State<Dim>& state_;
     const Effects& effects_;
-    double skin_;
-    double moved_ = 0;
+    double cell_over_h_;
+    SkinAccount fluid_skin_, solid_skin_, coupling_skin_;
     std::uint64_t builds_ = 0;
     std::vector<Index> solid_index_of_id_;
     Images<Dim> fluid_images_, wall_images_, element_images_;
-    CellGrid<Dim> fluid_grid_, solid_grid_, wall_grid_, element_grid_;
+    Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_;
     NeighborSearch<Dim> search_;
+    ReorderBuffers buffers_;
 };
 
 extern template class Neighborhood<2>;

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "engine/state/phases.hpp"
-#include "kernels/interface_passes.hpp"
-#include "kernels/pair.hpp"
+#include "kernels/columns.hpp"
 
 namespace sluice {
 
@@ -45,8 +44,23 @@ ParticleView<Dim> view_of(const WallPhase<Dim>& p) {
 }
 
 template <int Dim>
-ElementView<Dim> view_of(const InterfaceElements<Dim>& e) {
-    return {columns_of(e.position), columns_of(e.area_normal), columns_of(e.velocity), e.owned};
+ParticleView<Dim> view_of(const InterfaceElements<Dim>& e) {
+    ParticleView<Dim> v;
+    v.position = columns_of(e.position);
+    v.velocity = columns_of(e.velocity);
+    v.smoothing_length = e.smoothing_length.data();
+    v.area_normal = columns_of(e.area_normal);
+    v.shared_force = columns_of(e.shared_force);
+    return v;
+}
+
+/// The solid half-way through a step, as the interface's kinematic condition sees it.
+template <int Dim>
+ParticleView<Dim> halfway_view_of(const SolidPhase<Dim>& p) {
+    ParticleView<Dim> v = view_of(p);
+    v.position = columns_of(p.halfway_position);
+    v.velocity = columns_of(p.mean_velocity);
+    return v;
 }
 
 }  // namespace sluice

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/tile.hpp"
+#include "kernels/pair.hpp"
 
 namespace sluice {
 
@@ -10,8 +10,8 @@ struct Continuity {
     static constexpr unsigned reads_i = column::velocity, reads_j = column::mass | column::velocity;
 
     template <class Pair>
-    auto operator()(const Pair& ij) const {
-        return ij.m_j() * dot(ij.v_ij(), ij.grad_w());
+    [[gnu::always_inline]] auto operator()(const Pair& ij) const {
+        return ij.m_grad_w_over_x() * dot(ij.v_ij(), ij.x_ij);
     }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/tile.hpp"
+#include "kernels/pair.hpp"
 
 namespace sluice {
 
@@ -11,8 +11,8 @@ struct FixedGhostPressure {
     static constexpr unsigned reads_i = column::pressure | column::density, reads_j = column::volume | column::pressure;
 
     template <class Pair>
-    typename Pair::Vector operator()(const Pair& ij) const {
-        return (-ij.volume_j() * (ij.p_i() + ij.p_j()) / ij.rho_i()) * ij.grad_w();
+    [[gnu::always_inline]] typename Pair::Vector operator()(const Pair& ij) const {
+        return (-ij.volume_j() * (ij.p_i() + ij.p_j()) / ij.rho_i() * ij.grad_w_over_x()) * ij.x_ij;
     }
 };
 
@@ -22,8 +22,8 @@ struct FixedGhostContinuity {
     static constexpr unsigned reads_i = column::velocity | column::density, reads_j = column::volume;
 
     template <class Pair>
-    auto operator()(const Pair& ij) const {
-        return ij.rho_i() * ij.volume_j() * dot(ij.v_i(), ij.grad_w());
+    [[gnu::always_inline]] auto operator()(const Pair& ij) const {
+        return ij.rho_i() * ij.volume_j() * ij.grad_w_over_x() * dot(ij.v_i(), ij.x_ij);
     }
 };
 

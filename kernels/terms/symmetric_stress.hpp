@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/tile.hpp"
+#include "kernels/pair.hpp"
 
 namespace sluice {
 
@@ -10,8 +10,8 @@ struct SymmetricStress {
     static constexpr unsigned reads_i = column::stress_over_rho2, reads_j = column::mass | column::stress_over_rho2;
 
     template <class Pair>
-    typename Pair::Vector operator()(const Pair& ij) const {
-        return ij.m_j() * sym_times(ij.stress_over_rho2_i() + ij.stress_over_rho2_j(), ij.grad_w());
+    [[gnu::always_inline]] typename Pair::Tensor operator()(const Pair& ij) const {
+        return ij.stress_over_rho2_i() + ij.stress_over_rho2_j();
     }
 };
 

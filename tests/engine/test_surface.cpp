@@ -23,7 +23,7 @@ shape = )toml" + shape + "\n");
     State<2> state = place_particles<2>(scene, Effects(scene));
     std::vector<Index> same(state.solid.owned);
     for (Index i = 0; i < same.size(); ++i) same[i] = i;
-    state.surface.update(state.solid, same, state.elements);
+    state.surface.update(state.solid.position, same, state.elements);
     return state;
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("Elements turn and move with the body") {
         const Vec<2> x = state.solid.position[i];
         state.solid.position.set(i, {{c * x[0] - s * x[1] + 5, s * x[0] + c * x[1] - 3}});
     }
-    state.surface.update(state.solid, same, state.elements);
+    state.surface.update(state.solid.position, same, state.elements);
     for (std::size_t k = 0; k < state.elements.owned; ++k) {
         const Vec<2> n = before[k], turned{{c * n[0] - s * n[1], s * n[0] + c * n[1]}};
         REQUIRE(norm(state.elements.area_normal[k] - turned) < 1e-14);  // rounding at coordinates of 5 m

@@ -1,26 +1,15 @@
-// Sets of points for tests, the same in every run, and a number of threads that lasts for a scope.
+// Sets of points for tests, the same in every run.
 #pragma once
-
-#include <omp.h>
 
 #include <cstddef>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "neighbor/fields.hpp"
+#include "tests/neighbor/scopes.hpp"
 
 namespace sluice {
-
-/// OpenMP's number of threads until the end of the scope.
-class ThreadScope {
-  public:
-    explicit ThreadScope(int threads) : before_(omp_get_max_threads()) { omp_set_num_threads(threads); }
-    ~ThreadScope() { omp_set_num_threads(before_); }
-    ThreadScope(const ThreadScope&) = delete;
-    ThreadScope& operator=(const ThreadScope&) = delete;
-
-  private:
-    int before_;
-};
 
 /// Uniform random numbers; a fixed generator, so that a failure can be repeated.
 class Random {
@@ -76,6 +65,30 @@ VectorField<Dim> clustered_cloud(std::size_t n, double side, Random& random) {
         x.push_back(i % 10 == 9 ? random.vector<Dim>(0, side) : centre + random.vector<Dim>(0, 0.02 * side));
     }
     return x;
+}
+
+/// The numbers 0 … n − 1 in an order of chance.
+inline std::vector<std::size_t> shuffled(std::size_t n, Random& random) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < n; ++i) {
+        order.push_back(i);
+        std::swap(order[i], order[random.bits() % (i + 1)]);
+    }
+    return order;
+}
+
+/// field[order[0]], field[order[1]], …
+template <int N, class Order>
+TupleField<N> reordered(const TupleField<N>& field, const Order& order) {
+    TupleField<N> result;
+    for (const auto i : order) result.push_back(field[i]);
+    return result;
+}
+template <class Order>
+ScalarField reordered(const ScalarField& field, const Order& order) {
+    ScalarField result;
+    for (const auto i : order) result.push_back(field[i]);
+    return result;
 }
 
 /// Reaches in the ratio 1 : 4.

@@ -1,8 +1,8 @@
 // Two sets of particles, what is asked of them, and the lists found: shared by the tests of the search.
 #pragma once
 
-#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "neighbor/all_pairs.hpp"
@@ -17,26 +17,50 @@ struct SearchCase {
     VectorField<Dim> query, target;
     bool same_set = true;  ///< search the query set in itself
     ScalarField query_reach, target_reach;
-    std::size_t owned = 0;
+    std::size_t owned = 0;  ///< queries; in one set the others are targets in a grid of their own
     double cell = 0.1;
-    double skin = 0;
-    double query_scale = 1, target_scale = 1;
+    CutOff cut;
 
-    const VectorField<Dim>& targets() const { return same_set ? query : target; }
-    PairReach reach() const {
-        return {query_reach, same_set ? query_reach : target_reach, skin, query_scale, target_scale};
+    using Set = typename NeighborSearch<Dim>::Set;
+    Set queries() const { return {query, query_reach}; }
+    Set targets() const { return same_set ? queries() : Set{target, target_reach}; }
+    std::vector<std::vector<Index>> plain(const CutOff& within) const {
+        return all_pairs<Dim>(queries(), owned, targets(), within);
     }
-    NeighborList search(int group_size) const {
-        CellGrid<Dim> query_grid, target_grid;
-        query_grid.build(query, query.size(), cell, query_reach);
-        if (!same_set) target_grid.build(target, target.size(), cell, target_reach);
-        NeighborList list;
-        NeighborSearch<Dim>().build({query, query_grid}, owned, {targets(), same_set ? query_grid : target_grid},
-                                    reach(), group_size, list);
-        return list;
-    }
-    std::vector<std::vector<Index>> plain() const { return all_pairs(query, owned, targets(), reach()); }
 };
+
+/// The grids of a case, as an engine keeps them.
+template <int Dim>
+struct SearchGrids {
+    ClusterGrid<Dim> owned, others;
+    std::vector<const ClusterGrid<Dim>*> targets;
+
+    explicit SearchGrids(const SearchCase<Dim>& c) {
+        owned.build(c.query, 0, c.owned, c.cell, c.query_reach);
+        const auto set = c.targets();
+        others.build(set.position, c.same_set ? c.owned : 0, set.position.size(), c.cell, set.reach);
+        if (c.same_set) targets.push_back(&owned);
+        targets.push_back(&others);
+    }
+    SearchGrids(const SearchGrids&) = delete;  // targets point into it
+    SearchGrids& operator=(const SearchGrids&) = delete;
+};
+
+/// A case's list, not pruned yet.
+template <int Dim>
+NeighborList build(const SearchCase<Dim>& c) {
+    const SearchGrids<Dim> grids(c);
+    NeighborList list;
+    NeighborSearch<Dim>().build(grids.owned, grids.targets, c.cut, list);
+    return list;
+}
+
+template <int Dim>
+NeighborList search(const SearchCase<Dim>& c) {
+    NeighborList list = build(c);
+    NeighborSearch<Dim>().prune(c.queries(), c.targets(), c.cut, list);
+    return list;
+}
 
 template <int Dim>
 SearchCase<Dim> case_of(std::string name, VectorField<Dim> x, double h) {
@@ -47,6 +71,14 @@ SearchCase<Dim> case_of(std::string name, VectorField<Dim> x, double h) {
     c.owned = c.query.size();
     c.cell = 2 * h;
     return c;
+}
+
+/// n particles in a row's reach of each other, and a cloud around them: blocks whose candidates fill several parts.
+template <int Dim>
+SearchCase<Dim> dense_heap(std::size_t n, Random& random) {
+    auto x = random_cloud<Dim>(n, 0.05, random);
+    for (int i = 0; i < 200; ++i) x.push_back(random.vector<Dim>(-0.3, 0.3));
+    return case_of<Dim>("dense heap", x, 0.04);
 }
 
 /// Clouds, lattices and heaps; equal and unequal reaches; one set and two; with and without a skin.
@@ -60,26 +92,26 @@ std::vector<SearchCase<Dim>> search_cases() {
     for (const double d : {0.1, 1.0 / 3, 0.005 / 6}) {
         all.push_back(case_of<Dim>("lattice", lattice_points<Dim>(Dim == 2 ? 25 : 9, d), 1.5 * d));
         all.push_back(case_of<Dim>("lattice with skin", lattice_points<Dim>(Dim == 2 ? 25 : 9, d), 1.2 * d));
-        all.back().skin = 0.6 * d;  // 2h + skin = 3 d: ties at the cut-off
+        all.back().cut.skin = 0.6 * d;  // 2h + skin = 3 d: ties at the cut-off
         all.back().cell = 3 * d;
     }
     all.push_back(case_of<Dim>("heaps", clustered_cloud<Dim>(n, 1, random), h));
-    all.push_back(case_of<Dim>("one point", VectorField<Dim>(), h));
-    for (int i = 0; i < 100; ++i) all.back().query.push_back(Vec<Dim>{});
-    all.back().query_reach.assign(100, h);
-    all.back().owned = 100;
+    VectorField<Dim> point;
+    for (int i = 0; i < 101; ++i) point.push_back(Vec<Dim>{});
+    all.push_back(case_of<Dim>("one point", point, h));
+    all.push_back(dense_heap<Dim>(1300, random));
 
     SearchCase<Dim> unequal = case_of<Dim>("unequal reaches", clustered_cloud<Dim>(n, 1, random), h);
     unequal.query_reach = random_reach(n, 0.4 * h, random);
     unequal.cell = 2 * 0.4 * h;
     all.push_back(unequal);
     unequal.name = "unequal reaches with skin, some owned";
-    unequal.skin = 0.1 * h;
+    unequal.cut.skin = 0.1 * h;
     unequal.owned = 700;
     all.push_back(unequal);
     unequal.name = "scaled reaches";
-    unequal.query_scale = 0.5;
-    unequal.target_scale = 1.75;
+    unequal.cut.query_scale = 0.5;
+    unequal.cut.target_scale = 1.75;
     all.push_back(unequal);
 
     SearchCase<Dim> two = case_of<Dim>("two sets", random_cloud<Dim>(n, 1, random), h);
@@ -87,16 +119,16 @@ std::vector<SearchCase<Dim>> search_cases() {
     two.target = clustered_cloud<Dim>(n / 2, 1.5, random);
     two.target_reach = random_reach(n / 2, 0.5 * h, random);
     two.owned = 900;
-    two.skin = 0.2 * h;
+    two.cut.skin = 0.2 * h;
     all.push_back(two);
     two.name = "elements without a reach among particles";  // as of interface and fluid
-    two.query_reach.clear();
-    two.target_scale = 2;
+    two.query_reach.assign(n, 0.0);
+    two.cut.target_scale = 2;
     all.push_back(two);
     two.name = "particles among elements without a reach";
     std::swap(two.query, two.target);
     std::swap(two.query_reach, two.target_reach);
-    std::swap(two.query_scale, two.target_scale);
+    std::swap(two.cut.query_scale, two.cut.target_scale);
     two.owned = 450;
     all.push_back(two);
     two.name = "sets far apart";
@@ -108,12 +140,6 @@ std::vector<SearchCase<Dim>> search_cases() {
     all.push_back(case_of<Dim>("nothing", VectorField<Dim>(), h));
     all.push_back(case_of<Dim>("two strays", lattice_points<Dim>(2, 100), h));
     return all;
-}
-
-inline std::vector<Index> ascending(std::span<const Index> list) {
-    std::vector<Index> v(list.begin(), list.end());
-    std::sort(v.begin(), v.end());
-    return v;
 }
 
 }  // namespace sluice

@@ -1,6 +1,8 @@
-// The search against its plain twin, particle by particle: lists with groups of one.
+// The search against its plain twin: lists hold every pair, and once pruned no cluster without one.
+#include <limits>
+
 #include "tests/catch.hpp"
-#include "tests/neighbor/search_cases.hpp"
+#include "tests/neighbor/list_rules.hpp"
 
 using namespace sluice;
 
@@ -8,45 +10,74 @@ namespace {
 
 /// Directed pairs within the cut-off without the skin, counted by looking at every pair.
 template <int Dim>
-std::uint64_t count_pairs(SearchCase<Dim> c) {
-    c.skin = 0;
+std::uint64_t count_pairs(const SearchCase<Dim>& c) {
     std::uint64_t pairs = 0;
-    for (const auto& near : c.plain()) pairs += near.size();
+    for (const auto& near : c.plain({0, c.cut.query_scale, c.cut.target_scale})) pairs += near.size();
     return pairs;
+}
+
+/// Most candidates of a block.
+std::size_t most_candidates(const NeighborList& list) {
+    const ListView view = list.view();
+    std::size_t most = 0;
+    for (std::size_t b = 0; b < list.blocks(); ++b) {
+        std::size_t candidates = 0;
+        for (Index p = view.block[b].parts.begin; p < view.block[b].parts.end; ++p)
+            candidates += view.part[p].candidates.size();
+        most = std::max(most, candidates);
+    }
+    return most;
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("a group of one has exactly the particle's own neighbours", "[search]", ((int Dim), Dim), 2, 3) {
-    for (const int threads : {1, 2, 4}) {
-        const ThreadScope scope(threads);
-        for (const auto& c : search_cases<Dim>()) {
-            const NeighborList list = c.search(1);
-            auto expected = c.plain();
-            std::size_t wrong = 0, several = 0;
-            for (std::size_t g = 0; g < list.groups(); ++g) {
-                several += list.queries(g).size() != 1;
-                const Index i = list.queries(g)[0];
-                wrong += i >= c.owned || list.candidates(g).empty() || ascending(list.candidates(g)) != expected[i];
-                if (i < c.owned) expected[i].clear();
-            }
-            std::size_t missing = 0;
-            for (const auto& near : expected) missing += !near.empty();
-            CAPTURE(threads, c.name);
-            CHECK(several == 0);
-            CHECK(wrong == 0);
-            CHECK(missing == 0);
-        }
+TEMPLATE_TEST_CASE_SIG("a list holds every pair when it is built", "[search]", ((int Dim), Dim), 2, 3) {
+    for (const auto& c : search_cases<Dim>()) {
+        const NeighborList list = build(c);
+        CAPTURE(c.name);
+        CHECK(ListReader<Dim>(c, list, c.cut).broken_rule() == "");
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("a pruned list holds every pair and no cluster without one", "[search]", ((int Dim), Dim), 2,
+                       3) {
+    for (const auto& c : search_cases<Dim>()) {
+        CAPTURE(c.name);
+        CHECK(broken_rule(c, search(c), c.cut) == "");
     }
 }
 
 TEMPLATE_TEST_CASE_SIG("pairs() counts the directed pairs inside the cut-off, not those of the skin", "[search]",
                        ((int Dim), Dim), 2, 3) {
+    for (const auto& c : search_cases<Dim>())
+        for (const Isa isa : available_isas()) {
+            const IsaScope scope(isa);
+            CAPTURE(c.name, std::string(name_of(isa)));
+            CHECK(search(c).pairs() == count_pairs(c));
+        }
+}
+
+TEMPLATE_TEST_CASE_SIG("the cases are what they claim to be", "[search]", ((int Dim), Dim), 2, 3) {
+    std::size_t several_parts = 0, ties = 0;
     for (const auto& c : search_cases<Dim>()) {
-        const std::uint64_t expected = count_pairs(c);
-        CAPTURE(c.name);
-        for (const int group_size : {1, 3, max_group_size}) CHECK(c.search(group_size).pairs() == expected);
+        if (c.owned == 0) continue;
+        several_parts += most_candidates(search(c)) > part_size;
+        // One more unit in the last place, and pairs come in.
+        const CutOff wider{c.cut.skin + 1e-9 * c.cell, c.cut.query_scale, c.cut.target_scale};
+        ties += c.plain(c.cut) != c.plain(wider);
     }
+    CHECK(several_parts > 0);
+    CHECK(ties > 0);
+}
+
+TEMPLATE_TEST_CASE_SIG("all particles with one reach have rows of equal reach", "[search]", ((int Dim), Dim), 2, 3) {
+    const auto c = search_cases<Dim>()[0];
+    const NeighborList list = search(c);
+    std::size_t unequal = 0;
+    for (std::size_t b = 0; b < list.blocks(); ++b)
+        for (Index q = list.view().block[b].queries.begin; q < list.view().block[b].queries.end; ++q)
+            unequal += !list.view().equal_reach[q];
+    CHECK(unequal == 0);
 }
 
 TEMPLATE_TEST_CASE_SIG("neighbours are found far from the grid's origin", "[search]", ((int Dim), Dim), 2, 3) {
@@ -58,27 +89,107 @@ TEMPLATE_TEST_CASE_SIG("neighbours are found far from the grid's origin", "[sear
     c.query.push_back(away);
     c.query_reach.push_back(c.query_reach[0]);
     c.owned = c.query.size();
-    const NeighborList list = c.search(1);
-    const auto expected = c.plain();
-    std::size_t wrong = 0;
-    for (std::size_t g = 0; g < list.groups(); ++g)
-        wrong += ascending(list.candidates(g)) != expected[list.queries(g)[0]];
-    CHECK(wrong == 0);
+    const NeighborList list = search(c);
+    CHECK(broken_rule(c, list, c.cut) == "");
     CHECK(list.pairs() == count_pairs(c));
 }
 
-TEST_CASE("a list is cleared by a search that finds nothing", "[search]") {
-    auto c = search_cases<2>()[0];
-    CellGrid<2> grid, none;
-    grid.build(c.query, c.query.size(), c.cell, c.query_reach);
-    const VectorField<2> nobody;
-    none.build(nobody, 0, c.cell);
-    NeighborSearch<2> search;
+TEMPLATE_TEST_CASE_SIG("queries keep the grid's order", "[search]", ((int Dim), Dim), 2, 3) {
+    const auto c = search_cases<Dim>()[0];
+    const SearchGrids<Dim> grids(c);
+    const NeighborList list = search(c);
+    std::vector<Index> queries;
+    for (std::size_t b = 0; b < list.blocks(); ++b)
+        for (Index q = list.view().block[b].queries.begin; q < list.view().block[b].queries.end; ++q)
+            list.for_queries(q, [&](Index i) { queries.push_back(i); });
+    CHECK(std::equal(queries.begin(), queries.end(), grids.owned.order().begin(), grids.owned.order().end()));
+}
+
+TEMPLATE_TEST_CASE_SIG("sorted particles are listed as runs of memory", "[search]", ((int Dim), Dim), 2, 3) {
+    Random random(29);
+    auto c = case_of<Dim>("sorted", clustered_cloud<Dim>(1500, 1, random), Dim == 2 ? 0.03 : 0.07);
+    c.owned = 1000;
+    const auto in_sequence = [](const NeighborList& list) {
+        const ListView view = list.view();
+        std::size_t runs = 0, all = 0;
+        for (std::size_t b = 0; b < list.blocks(); ++b) {
+            const ListView::Block& block = view.block[b];
+            for (Index q = block.queries.begin; q < block.queries.end; ++q, ++all) runs += view.query[q].in_sequence;
+            for (Index n = view.part[block.parts.begin].candidates.begin;
+                 n < view.part[block.parts.end - 1].candidates.end; ++n, ++all)
+                runs += view.candidate[n].in_sequence;
+        }
+        return static_cast<double>(runs) / static_cast<double>(all);
+    };
+    CHECK(in_sequence(search(c)) < 0.5);  // clusters of one particle are runs
+    SearchGrids<Dim> grids(c);
+    std::vector<Index> order(grids.owned.order().begin(), grids.owned.order().end());
+    order.insert(order.end(), grids.others.order().begin(), grids.others.order().end());
+    c.query = reordered(c.query, order);
+    grids.owned.particles_were_sorted(0);
+    grids.others.particles_were_sorted(c.owned);
     NeighborList list;
-    search.build({c.query, grid}, c.owned, {c.query, grid}, c.reach(), 8, list);
-    REQUIRE(list.groups() > 0);
-    search.build({c.query, grid}, c.owned, {nobody, none}, c.reach(), 8, list);
-    CHECK(list.groups() == 0);
-    CHECK(list.size() == 0);
-    CHECK(list.pairs() == 0);
+    NeighborSearch<Dim> searcher;
+    searcher.build(grids.owned, grids.targets, c.cut, list);
+    searcher.prune(c.queries(), c.targets(), c.cut, list);
+    CHECK(in_sequence(list) == 1);
+    CHECK(broken_rule(c, list, c.cut) == "");
+    CHECK((contents(list) == contents(search(c))));  // told or built anew, a grid is the same
+}
+
+TEMPLATE_TEST_CASE_SIG("a position that is not a number has no pairs and costs nobody any", "[search]",
+                       ((int Dim), Dim), 2, 3) {
+    Random random(37);
+    auto c = case_of<Dim>("broken", random_cloud<Dim>(900, 1, random), Dim == 2 ? 0.05 : 0.1);
+    for (const std::size_t i : {5, 300, 899}) c.query.c[i % Dim][i] = std::numeric_limits<double>::quiet_NaN();
+    for (const Isa isa : available_isas()) {
+        const IsaScope scope(isa);
+        const NeighborList list = search(c);
+        const auto neighbors = c.plain(c.cut);
+        const ListView view = list.view();
+        std::size_t missing = 0;
+        for (std::size_t b = 0; b < list.blocks(); ++b)
+            for (Index q = view.block[b].queries.begin; q < view.block[b].queries.end; ++q) {
+                std::vector<char> covered(c.query.size(), 0);
+                for (Index p = view.block[b].parts.begin; p < view.block[b].parts.end; ++p) {
+                    const auto& row = view.row[view.part[p].first_row + (q - view.block[b].queries.begin)];
+                    for (std::uint32_t e = 0; e < row.near; ++e)
+                        list.for_candidates(view.part[p].candidates.begin + view.entry[row.begin + e],
+                                            [&](Index j) { covered[j] = 1; });
+                }
+                list.for_queries(q, [&](Index i) {
+                    for (const Index j : neighbors[i]) missing += !covered[j];
+                });
+            }
+        CAPTURE(std::string(name_of(isa)));
+        CHECK(missing == 0);
+        CHECK(list.pairs() == count_pairs(c));
+    }
+}
+
+TEST_CASE("a list is cleared by a search that finds nothing", "[search]") {
+    const auto c = search_cases<2>()[0];
+    const SearchGrids<2> grids(c);
+    const VectorField<2> nobody;
+    ClusterGrid<2> none;
+    none.build(nobody, 0, 0, c.cell);
+    const ClusterGrid<2>* const target = &none;
+    NeighborSearch<2> searcher;
+    NeighborList list;
+    searcher.build(grids.owned, grids.targets, c.cut, list);
+    searcher.prune(c.queries(), c.targets(), c.cut, list);
+    REQUIRE(list.blocks() > 0);
+    REQUIRE(list.pairs() > 0);
+    const auto check_empty = [&] {
+        searcher.prune(c.queries(), {nobody, {}}, c.cut, list);
+        CHECK(list.blocks() == 0);
+        CHECK(list.size() == 0);
+        CHECK(list.pairs() == 0);
+        CHECK(list.cluster_pairs() == 0);
+        CHECK(list.share(0, 1).size() == 0);
+    };
+    searcher.build(grids.owned, {&target, 1}, c.cut, list);
+    check_empty();
+    searcher.build(grids.owned, {}, c.cut, list);
+    check_empty();
 }

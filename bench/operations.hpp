@@ -1,0 +1,183 @@
+// How many arithmetic operations a pass needs per pair, counted by running its loop on numbers that only remember how
+// they came about.
+//
+// Counted once per lane of a row: every distinct addition, multiplication, maximum and minimum that depends on the
+// candidate (what depends on the particle itself alone is computed once per row), and the addition to the sum. A
+// multiplication and an addition that the processor fuses are two. A change of sign is free. A reciprocal is 4 and an
+// inverse square root 6, an estimate and one step of Newton's, whatever the level does: figures of one pass can then be
+// compared across precisions and instruction sets.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "bench/lattice.hpp"
+
+#define SLUICE_ISA counted  // a level of its own for the loop's source
+#include "kernels/block_loop_body.hpp"
+
+namespace sluice::bench {
+
+/// Expressions seen so far, each once.
+class Ledger {
+  public:
+    enum class Kind { fixed, varying, add, multiply, larger, smaller, negate, reciprocal, inverse_sqrt };
+
+    /// Same kind and operands, same number. 0 is the constant 0.
+    std::uint32_t intern(Kind kind, std::uint32_t a, std::uint32_t b = 0) {
+        if ((kind == Kind::add || kind == Kind::multiply) && b < a) std::swap(a, b);
+        const bool varies = entries_[a].varies || entries_[b].varies;
+        const auto [place, is_new] = known_.try_emplace({kind, a, b}, next());
+        if (is_new) entries_.push_back({kind, a, b, varies});
+        return place->second;
+    }
+    std::uint32_t constant(double value) {
+        if (value == 0) return 0;
+        const auto [place, is_new] = constants_.try_emplace(value, next());
+        if (is_new) entries_.push_back({});
+        return place->second;
+    }
+    /// A number read from memory: new each time.
+    std::uint32_t loaded(bool varies) {
+        entries_.push_back({varies ? Kind::varying : Kind::fixed, 0, 0, varies});
+        return next() - 1;
+    }
+    /// The expression is a result: what it is made of is counted, unless it has been before.
+    void use(std::uint32_t id) {
+        Entry& e = entries_[id];
+        if (e.is_used || !e.varies) return;
+        e.is_used = true;
+        operations_ += cost(e.kind);
+        use(e.a);
+        use(e.b);
+    }
+    std::uint64_t operations() const { return operations_; }
+
+    static Ledger& current() {
+        static Ledger ledger;
+        return ledger;
+    }
+
+  private:
+    struct Entry {
+        Kind kind = Kind::fixed;
+        std::uint32_t a = 0, b = 0;
+        bool varies = false, is_used = false;
+    };
+
+    std::uint32_t next() const { return static_cast<std::uint32_t>(entries_.size()); }
+    static unsigned cost(Kind kind) {
+        switch (kind) {
+            case Kind::fixed:
+            case Kind::varying:
+            case Kind::negate: return 0;
+            case Kind::reciprocal: return 4;
+            case Kind::inverse_sqrt: return 6;
+            default: return 1;
+        }
+    }
+
+    std::map<std::tuple<Kind, std::uint32_t, std::uint32_t>, std::uint32_t> known_;
+    std::map<double, std::uint32_t> constants_;
+    std::vector<Entry> entries_{Entry{}};
+    std::uint64_t operations_ = 0;
+};
+
+/// A number that is known by its place in the ledger.
+struct Symbol {
+    std::uint32_t id = 0;
+
+    Symbol() = default;
+    Symbol(double value) : id(Ledger::current().constant(value)) {}
+    /// Done with results only.
+    explicit operator double() const {
+        Ledger::current().use(id);
+        return 0;
+    }
+
+    using Kind = Ledger::Kind;
+    static Symbol numbered(std::uint32_t id) {
+        Symbol s;
+        s.id = id;
+        return s;
+    }
+    static Symbol of(Kind kind, Symbol a) { return numbered(Ledger::current().intern(kind, a.id)); }
+    static Symbol of(Kind kind, Symbol a, Symbol b) { return numbered(Ledger::current().intern(kind, a.id, b.id)); }
+    static Symbol loaded(bool varies) { return numbered(Ledger::current().loaded(varies)); }
+    friend Symbol operator+(Symbol a, Symbol b) { return of(Kind::add, a, b); }
+    friend Symbol operator*(Symbol a, Symbol b) { return of(Kind::multiply, a, b); }
+    Symbol& operator+=(Symbol b) { return *this = *this + b; }
+};
+
+}  // namespace sluice::bench
+
+namespace sluice::counted {
+
+using bench::Symbol;
+
+template <>
+inline constexpr int widest<Symbol> = 1;
+
+/// A register of one lane.
+template <>
+struct Pack<Symbol, 1> {
+    using Number = Symbol;
+    using Kind = Symbol::Kind;
+    static constexpr int lanes = 1;
+
+    Symbol v;
+
+    Pack() = default;
+    Pack(Symbol a) : v(a) {}
+    explicit Pack(double s) : v(s) {}
+
+    Pack& operator+=(Pack b) { return *this = *this + b; }
+    Pack& operator-=(Pack b) { return *this = *this - b; }
+    Pack& operator*=(Pack b) { return *this = *this * b; }
+    friend Pack operator+(Pack a, Pack b) { return a.v + b.v; }
+    friend Pack operator-(Pack a) { return Symbol::of(Kind::negate, a.v); }
+    friend Pack operator-(Pack a, Pack b) { return a + -b; }
+    friend Pack operator*(Pack a, Pack b) { return a.v * b.v; }
+    friend Pack larger(Pack a, Pack b) { return Symbol::of(Kind::larger, a.v, b.v); }
+    friend Pack smaller(Pack a, Pack b) { return Symbol::of(Kind::smaller, a.v, b.v); }
+    friend Pack reciprocal(Pack a) { return Symbol::of(Kind::reciprocal, a.v); }
+    friend Pack inverse_sqrt(Pack a) { return Symbol::of(Kind::inverse_sqrt, a.v); }
+};
+
+/// Candidates are loaded with load_repeated, the particle itself with load_spread.
+template <>
+inline Pack<Symbol> load_repeated<Pack<Symbol>, 1>(const Symbol*) {
+    return Symbol::loaded(true);
+}
+template <>
+inline Pack<Symbol> load_spread<Pack<Symbol>, 1>(const Symbol*) {
+    return Symbol::loaded(false);
+}
+
+}  // namespace sluice::counted
+
+namespace sluice::bench {
+
+/// Operations per lane that the loop goes over.
+template <class Pass>
+double operations_per_lane(const Pass& pass) {
+    const Cube<Pass::dim> few(16, 1.2);
+    const BlockTask<Pass::dim> task{few.medium.view(), few.medium.view(), few.list.view()};
+    const std::uint64_t before = Ledger::current().operations();
+    double sums[block_particles * Pass::outputs];
+    for (std::size_t b = 0; b < few.list.blocks(); ++b) counted::sum_block<Pass, Symbol>(task, task.list.block[b], pass, sums);
+    const std::uint64_t operations = Ledger::current().operations() - before;
+    return static_cast<double>(operations) / (16 * static_cast<double>(few.list.cluster_pairs()));
+}
+
+/// Operations of a function of one number.
+template <class Function>
+double operations_of(const Function& function) {
+    const std::uint64_t before = Ledger::current().operations();
+    static_cast<void>(static_cast<double>(function(counted::Pack<Symbol>(Symbol::loaded(true))).v));
+    return static_cast<double>(Ledger::current().operations() - before);
+}
+
+}  // namespace sluice::bench

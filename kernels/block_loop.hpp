@@ -1,0 +1,59 @@
+// What the loop over a block's pairs is given, and where it is found: once per instruction set and precision.
+#pragma once
+
+#include "kernels/columns.hpp"
+#include "neighbor/isa.hpp"
+#include "neighbor/neighbor_list.hpp"
+
+namespace sluice {
+
+/// In what the arithmetic of pairs is done. State and sums over a row are double in both.
+enum class Precision { full, mixed };
+
+template <int Dim>
+struct BlockTask {
+    ParticleView<Dim> a, b;  ///< queries, candidates
+    ListView list;
+};
+
+/// Particles in a block.
+inline constexpr std::size_t block_particles = block_size * cluster_size;
+
+// A pass is a set of terms with their constants:
+//   dim, Smoothing; outputs, the numbers that it sums; reads_i, reads_j (kernels/columns.hpp); length, if not the mean;
+//   always_full, if mixed precision will not do
+//   operator()(pair) → Vec<outputs, Real>
+//
+// sum_block: sums[(cluster · 4 + lane) · outputs + k] = Σ_j pass(ij)[k] for the block's particles.
+#define SLUICE_DECLARE_LOOP(level)                                                                          \
+    namespace level {                                                                                       \
+    template <class Pass, class Number>                                                                     \
+    void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, const Pass& pass, double* sums); \
+    }
+SLUICE_DECLARE_LOOP(baseline)
+SLUICE_DECLARE_LOOP(avx2)
+SLUICE_DECLARE_LOOP(avx512)
+#undef SLUICE_DECLARE_LOOP
+
+template <class Pass>
+using BlockLoop = void (*)(const BlockTask<Pass::dim>&, const ListView::Block&, const Pass&, double*);
+
+/// The loop for the instruction set in use.
+template <class Pass, class Number>
+BlockLoop<Pass> block_loop_of() {
+#ifdef SLUICE_ALL_ISAS
+    if (active_isa() == Isa::avx512) return avx512::sum_block<Pass, Number>;
+    if (active_isa() == Isa::avx2) return avx2::sum_block<Pass, Number>;
+#endif
+    return baseline::sum_block<Pass, Number>;
+}
+
+/// A pass with `always_full` is computed in double whatever is asked for.
+template <class Pass>
+BlockLoop<Pass> block_loop(Precision precision) {
+    if constexpr (!requires { Pass::always_full; })
+        if (precision == Precision::mixed) return block_loop_of<Pass, float>();
+    return block_loop_of<Pass, double>();
+}
+
+}  // namespace sluice

@@ -1,0 +1,65 @@
+// The fluid's passes over pairs, as sets of terms.
+#pragma once
+
+#include "kernels/pair_sum.hpp"
+#include "kernels/terms/artificial_viscosity.hpp"
+#include "kernels/terms/continuity.hpp"
+#include "kernels/terms/symmetric_pressure.hpp"
+
+namespace sluice {
+
+template <int Dim>
+using InviscidMomentum = MomentumTerms<Dim, DefaultSmoothing<Dim>, SymmetricPressure>;
+template <int Dim>
+using ViscousMomentum = MomentumTerms<Dim, DefaultSmoothing<Dim>, SymmetricPressure, ArtificialViscosity>;
+template <int Dim>
+struct DensityRate : Continuity {
+    static constexpr int dim = Dim, outputs = 1;
+    using Smoothing = DefaultSmoothing<Dim>;
+
+    template <class Pair>
+    [[gnu::always_inline]] Vec<1, typename Pair::Real> operator()(const Pair& ij) const {
+        return {{Continuity::operator()(ij)}};
+    }
+};
+
+/// Σ_j V_j (v_j − v_i) W_ij and Σ_j V_j W_ij with V_j = m_j/ρ̄_ij: numerator and denominator of eq. (16).
+template <int Dim>
+struct FilterSums {
+    static constexpr int dim = Dim, outputs = Dim + 1;
+    using Smoothing = DefaultSmoothing<Dim>;
+    static constexpr unsigned reads_i = column::velocity | column::density, reads_j = reads_i | column::mass;
+
+    template <class Pair>
+    [[gnu::always_inline]] Vec<outputs, typename Pair::Real> operator()(const Pair& ij) const {
+        using Real = typename Pair::Real;
+        const Real v_w = Real(2) * ij.m_j() * ij.w() / (ij.rho_i() + ij.rho_j());
+        const auto v_ij = ij.v_ij();
+        Vec<outputs, Real> out;
+        unroll<Dim>([&](int k) __attribute__((always_inline)) { out[k] = -(v_w * v_ij[k]); });
+        out[Dim] = v_w;
+        return out;
+    }
+};
+
+/// Momentum and continuity at once, for schemes that take both at the same instant: acceleration, then dρ/dt.
+template <int Dim>
+struct FluidRates {
+    static constexpr int dim = Dim, outputs = Dim + 1;
+    using Smoothing = DefaultSmoothing<Dim>;
+    static constexpr unsigned reads_i = ViscousMomentum<Dim>::reads_i | Continuity::reads_i;
+    static constexpr unsigned reads_j = ViscousMomentum<Dim>::reads_j | Continuity::reads_j;
+
+    ViscousMomentum<Dim> momentum;
+
+    template <class Pair>
+    [[gnu::always_inline]] Vec<outputs, typename Pair::Real> operator()(const Pair& ij) const {
+        const auto a = momentum(ij);
+        Vec<outputs, typename Pair::Real> out;
+        unroll<Dim>([&](int k) __attribute__((always_inline)) { out[k] = a[k]; });
+        out[Dim] = Continuity{}(ij);
+        return out;
+    }
+};
+
+}  // namespace sluice

@@ -1,0 +1,45 @@
+// The passes between fluid and fixed ghosts, as sets of terms.
+#pragma once
+
+#include "kernels/pair_sum.hpp"
+#include "kernels/terms/fixed_ghost.hpp"
+
+namespace sluice {
+
+template <int Dim>
+struct GhostPressure : FixedGhostPressure {
+    static constexpr int dim = Dim, outputs = Dim;
+    using Smoothing = DefaultSmoothing<Dim>;
+};
+
+template <int Dim>
+struct GhostContinuity : FixedGhostContinuity {
+    static constexpr int dim = Dim, outputs = 1;
+    using Smoothing = DefaultSmoothing<Dim>;
+
+    template <class Pair>
+    [[gnu::always_inline]] Vec<1, typename Pair::Real> operator()(const Pair& ij) const {
+        return {{FixedGhostContinuity::operator()(ij)}};
+    }
+};
+
+/// Σ_f V_f W_wf and Σ_f V_f (p_f + ρ_f g·(x_w − x_f)) W_wf of a ghost w.
+template <int Dim>
+struct GhostPressureSums {
+    static constexpr int dim = Dim, outputs = 2;
+    using Smoothing = DefaultSmoothing<Dim>;
+    static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::pressure;
+
+    Vec<Dim> gravity;  ///< [m/s²]
+
+    template <class Pair>
+    [[gnu::always_inline]] Vec<outputs, typename Pair::Real> operator()(const Pair& ij) const {
+        using Real = typename Pair::Real;
+        const Real v_w = ij.m_j() * ij.w() / ij.rho_j();
+        Real depth(0);
+        unroll<Dim>([&](int k) __attribute__((always_inline)) { depth += Real(gravity[k]) * ij.x_ij[k]; });
+        return {{v_w, v_w * (ij.p_j() + ij.rho_j() * depth)}};
+    }
+};
+
+}  // namespace sluice

@@ -1,0 +1,29 @@
+# sluice_add_isa_sources(TARGET FILE...): compiles the files once per instruction set into the target.
+#
+# Only optimised x86-64 builds get all levels: without optimisation, inline functions from headers would be emitted with
+# the newer instructions, and the linker may take any one of several copies for the whole program.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND build_type MATCHES "RELEASE|MINSIZEREL"
+   AND NOT CMAKE_CXX_FLAGS MATCHES "fsanitize")
+  set(SLUICE_ALL_ISAS ON CACHE INTERNAL "every instruction set is compiled in")
+else()
+  set(SLUICE_ALL_ISAS OFF CACHE INTERNAL "every instruction set is compiled in")
+endif()
+
+function(sluice_add_isa_sources target)
+  set(levels baseline)
+  if(SLUICE_ALL_ISAS)
+    list(APPEND levels avx2 avx512)
+    target_compile_definitions(${target} PRIVATE SLUICE_ALL_ISAS)
+  endif()
+  set(flags_avx2 -mavx2 -mfma)
+  set(flags_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512)
+  # GCC 12 takes the undefined lanes in its own intrinsics for an oversight (-Wno-maybe-uninitialized).
+  foreach(level IN LISTS levels)
+    add_library(${target}_${level} OBJECT ${ARGN})
+    target_link_libraries(${target}_${level} PRIVATE sluice_options)
+    target_compile_definitions(${target}_${level} PRIVATE SLUICE_ISA=${level} SLUICE_ISA_${level})
+    target_compile_options(${target}_${level} PRIVATE -ffp-contract=fast -Wno-psabi -Wno-maybe-uninitialized ${flags_${level}})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_${level}>)
+  endforeach()
+endfunction()

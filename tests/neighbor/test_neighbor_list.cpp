@@ -1,0 +1,129 @@
+// Lists in use: pruned again and again, dealt out to threads, the same on every processor.
+#include "tests/catch.hpp"
+#include "tests/neighbor/list_rules.hpp"
+
+using namespace sluice;
+
+TEMPLATE_TEST_CASE_SIG("lists are the same for any number of threads and any instruction set", "[list]",
+                       ((int Dim), Dim), 2, 3) {
+    for (const auto& c : search_cases<Dim>()) {
+        std::vector<std::vector<std::uint64_t>> lists;
+        for (const Isa isa : available_isas())
+            for (const int threads : {1, 2, 4}) {
+                const IsaScope isa_scope(isa);
+                const ThreadScope thread_scope(threads);
+                lists.push_back(contents(search(c)));
+            }
+        CAPTURE(c.name);
+        for (std::size_t n = 1; n < lists.size(); ++n) CHECK((lists[n] == lists[0]));
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("shares cover all blocks, each once, with about equal work", "[list]", ((int Dim), Dim), 2, 3) {
+    for (const auto& c : search_cases<Dim>()) {
+        const NeighborList list = search(c);
+        const ListView view = list.view();
+        const auto work_of = [&](Index b) {
+            std::uint64_t work = 0;
+            for (Index p = view.block[b].parts.begin; p < view.block[b].parts.end; ++p)
+                for (Index q = 0; q < view.block[b].queries.size(); ++q)
+                    work += view.row[view.part[p].first_row + q].near;
+            return work;
+        };
+        std::uint64_t heaviest = 0;
+        for (Index b = 0; b < list.blocks(); ++b) heaviest = std::max(heaviest, work_of(b));
+        for (const int n : {1, 2, 3, 7, 64, 1000}) {
+            Index next = 0;
+            std::uint64_t most = 0;
+            for (int k = 0; k < n; ++k) {
+                const Range share = list.share(k, n);
+                REQUIRE(share.begin == next);
+                REQUIRE(share.end >= share.begin);
+                next = share.end;
+                std::uint64_t work = 0;
+                for (Index b = share.begin; b < share.end; ++b) work += work_of(b);
+                most = std::max(most, work);
+            }
+            CAPTURE(c.name, n);
+            CHECK(next == list.blocks());
+            // A share's ends are rounded to whole blocks.
+            CHECK(most <= list.cluster_pairs() / static_cast<std::uint64_t>(n) + heaviest + 1);
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("pruning with a thinner skin keeps the pairs within it, and a thicker one brings the others back",
+                       "[list]", ((int Dim), Dim), 2, 3) {
+    for (auto c : search_cases<Dim>()) {
+        c.cut.skin = c.cut.skin > 0 ? c.cut.skin : 0.3 * c.cell;
+        for (const Isa isa : available_isas()) {
+            const IsaScope scope(isa);
+            NeighborList list = build(c);
+            NeighborSearch<Dim> searcher;
+            const auto prune = [&](double part_of_skin) {
+                CutOff cut = c.cut;
+                cut.skin *= part_of_skin;
+                searcher.prune(c.queries(), c.targets(), cut, list);
+                return cut;
+            };
+            prune(1);
+            const auto whole = contents(list);
+            for (const double part : {0.5, 0.0, 0.25}) {
+                const CutOff cut = prune(part);
+                CAPTURE(c.name, std::string(name_of(isa)), part);
+                if (isa == available_isas().back()) CHECK(broken_rule(c, list, cut) == "");
+                CHECK(list.cluster_pairs() <= whole[3]);
+                CHECK(list.pairs() == whole[2]);
+            }
+            prune(1);
+            CAPTURE(c.name, std::string(name_of(isa)));
+            CHECK((contents(list) == whole));
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("a list stays complete until the skin is used up", "[list]", ((int Dim), Dim), 2, 3) {
+    Random random(31);
+    for (const bool heaps : {false, true}) {
+        auto c = case_of<Dim>("moving", heaps ? clustered_cloud<Dim>(900, 1, random) : random_cloud<Dim>(900, 1, random),
+                              Dim == 2 ? 0.04 : 0.08);
+        c.query_reach = random_reach(900, 0.5 * c.query_reach[0], random);
+        c.owned = 600;
+        c.cut.skin = 0.02;
+        NeighborSearch<Dim> searcher;
+        NeighborList list = search(c);
+        const auto start = c.query;
+        for (const double used : {0.5, 0.999}) {  // two particles together: less than this much of the skin
+            for (std::size_t i = 0; i < c.query.size(); ++i) {
+                const auto step = random.vector<Dim>(-1, 1);
+                c.query.set(i, start[i] + (0.5 * used * c.cut.skin / norm(step)) * step);
+            }
+            const CutOff now{(0.999 - used) * c.cut.skin};
+            CAPTURE(heaps, used);
+            // Not pruned since: rows hold every pair, and more.
+            CHECK(ListReader<Dim>(c, list, CutOff{}).broken_rule() == "");
+            searcher.prune(c.queries(), c.targets(), now, list);
+            CHECK(broken_rule(c, list, now) == "");
+            std::uint64_t pairs = 0;
+            for (const auto& near : c.plain(CutOff{})) pairs += near.size();
+            CHECK(list.pairs() == pairs);
+            CutOff back = c.cut;
+            c.query = start;
+            searcher.prune(c.queries(), c.targets(), back, list);
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("a search keeps nothing of the one before", "[list]", ((int Dim), Dim), 2, 3) {
+    NeighborSearch<Dim> searcher;
+    NeighborList list;
+    const auto cases = search_cases<Dim>();
+    for (std::size_t n = 0; n < cases.size(); ++n) {
+        const auto& c = cases[n % 2 ? n : cases.size() - 1 - n];  // large and small by turns
+        const SearchGrids<Dim> grids(c);
+        searcher.build(grids.owned, grids.targets, c.cut, list);
+        searcher.prune(c.queries(), c.targets(), c.cut, list);
+        CAPTURE(c.name);
+        CHECK((contents(list) == contents(search(c))));
+    }
+}
