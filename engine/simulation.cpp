@@ -227,8 +227,10 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::filter_pass);
         auto& fluid = state.fluid;
         neighbors.refresh_fluid_velocities();
-        pairs += velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, scene.method.fluid.velocity_filter,
-                                      precision, fluid.velocity_correction);
+        // Eq. (16) acts once per step of the paper's scheme: a longer step takes as many of them at once.
+        const double theta = std::pow(scene.method.fluid.velocity_filter, plan.substeps);
+        pairs += velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, theta, precision,
+                                      fluid.velocity_correction);
         parallel_for(fluid.owned, [&](std::size_t i) {
             fluid.velocity.set(i, fluid.velocity[i] + fluid.velocity_correction[i]);
         });

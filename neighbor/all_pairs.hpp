@@ -16,7 +16,7 @@ std::vector<std::vector<Index>> all_pairs(const typename NeighborSearch<Dim>::Se
     std::vector<std::vector<Index>> result(owned);
     for (std::size_t i = 0; i < owned; ++i)
         for (std::size_t j = 0; j < target.position.size(); ++j) {
-            const double limit = cut.query_scale * query.reach[i] + cut.target_scale * target.reach[j] + cut.skin;
+            const double limit = cut.query_scale * query.reach[i] + cut.skin + cut.target_scale * target.reach[j];
             if (same_set && i == j) continue;
             if (norm2(query.position[i] - target.position[j]) < limit * limit)
                 result[i].push_back(static_cast<Index>(j));

@@ -26,6 +26,16 @@ ListedCluster listed(const ClusterGrid<Dim>& grid, std::size_t cluster, Array<In
     return {first, size, false};
 }
 
+template <int Dim>
+void set_box(BoxColumns<Dim>& columns, std::size_t n, const Extent<Dim>& e) {
+    for (int k = 0; k < Dim; ++k) {
+        columns.lo[k][n] = e.box.lo[k];
+        columns.hi[k][n] = e.box.hi[k];
+    }
+    columns.min_reach[n] = e.min_reach;
+    columns.max_reach[n] = e.max_reach;
+}
+
 }  // namespace
 
 Range NeighborList::share(int k, int n) const {
@@ -79,7 +89,6 @@ void NeighborSearch<Dim>::search_block(const Job& job, std::size_t block, Share&
     const Extent<Dim>& own = job.query.block_extent(block);
     share.near_grid.clear();
     share.near_cluster.clear();
-    share.near_extent.clear();
     const double cut = job.cut.query_scale * own.max_reach + job.cut.skin;
     for (std::size_t g = 0; g < job.targets.size(); ++g) {
         const ClusterGrid<Dim>& target = *job.targets[g];
@@ -91,12 +100,16 @@ void NeighborSearch<Dim>::search_block(const Job& job, std::size_t block, Share&
                 if (!(distance2(own.box, e.box) < limit * limit)) continue;
                 share.near_grid.push_back(static_cast<Index>(g));
                 share.near_cluster.push_back(c);
-                share.near_extent.push_back(e);
             }
         });
     }
     const std::size_t candidates = share.near_cluster.size();
     if (candidates == 0) return;
+    share.near_box.resize((candidates + box_multiple - 1) / box_multiple * box_multiple);
+    for (std::size_t n = 0; n < share.near_box.size(); ++n)
+        set_box(share.near_box, n,
+                n < candidates ? job.targets[share.near_grid[n]]->cluster_extent(share.near_cluster[n])
+                               : Extent<Dim>{Box<Dim>{}, 0, 0});
     const Range clusters = job.query.clusters(block);
     ListView::Block made;
     made.queries.begin = static_cast<Index>(share.query.size());
@@ -124,26 +137,16 @@ void NeighborSearch<Dim>::list_part(const Job& job, Range clusters, std::size_t 
             listed(*job.targets[share.near_grid[n]], share.near_cluster[n], share.candidate_index));
     part.candidates.end = static_cast<Index>(share.candidate.size());
     const std::size_t count = last_near - first_near;
-    const Extent<Dim>* near = share.near_extent.data() + first_near;
     for (Index q = clusters.begin; q < clusters.end; ++q) {
-        const Extent<Dim>& own = job.query.cluster_extent(q);
-        const double cut = job.cut.query_scale * own.max_reach + job.cut.skin;
-        std::uint8_t& equal = share.equal_reach[share.equal_reach.size() - clusters.size() + (q - clusters.begin)];
         ListView::Row row;
         row.begin = share.entry.size();
-        share.entry.resize(row.begin + count);
-        std::uint8_t* out = share.entry.data() + row.begin;
-        std::uint32_t n = 0;
-        for (std::size_t c = 0; c < count; ++c) {  // without a branch: write always, go on if it counts
-            const double limit = cut + job.cut.target_scale * near[c].max_reach;
-            const bool is_near = distance2(own.box, near[c].box) < limit * limit;
-            out[n] = static_cast<std::uint8_t>(c);
-            n += is_near;
-            equal &= !is_near || (near[c].min_reach == own.max_reach && near[c].max_reach == own.max_reach);
-        }
-        row.listed = row.near = n;
-        share.entry.resize(row.begin + n);
+        share.entry.resize(row.begin + count + box_multiple);
+        const NearBoxes near = job.find_near(share.near_box, first_near, count, job.query.cluster_extent(q), job.cut,
+                                             share.entry.data() + row.begin);
+        row.listed = row.near = near.count;
+        share.entry.resize(row.begin + near.count);
         share.row.push_back(row);
+        share.equal_reach[share.equal_reach.size() - clusters.size() + (q - clusters.begin)] &= near.equal_reach;
     }
     share.part.push_back(part);
 }
@@ -182,7 +185,12 @@ void NeighborSearch<Dim>::join(NeighborList& list) const {
 template <int Dim>
 void NeighborSearch<Dim>::build(const ClusterGrid<Dim>& query, std::span<const ClusterGrid<Dim>* const> targets,
                                 const CutOff& cut, NeighborList& list) {
-    const Job job{query, targets, cut};
+    auto find_near = baseline::find_near<Dim>;
+#ifdef SLUICE_ALL_ISAS
+    if (active_isa() == Isa::avx2) find_near = avx2::find_near<Dim>;
+    if (active_isa() == Isa::avx512) find_near = avx512::find_near<Dim>;
+#endif
+    const Job job{query, targets, cut, find_near};
     const std::size_t blocks = query.blocks();
     const int threads = query.size() > parallel_threshold ? omp_get_max_threads() : 1;
     shares_.resize(static_cast<std::size_t>(threads));

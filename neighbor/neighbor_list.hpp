@@ -110,6 +110,30 @@ struct CutOff {
     double query_scale = 1, target_scale = 1;
 };
 
+/// Boxes and reaches of candidates, column by column, filled up to a multiple of box_multiple with boxes that are near
+/// nothing.
+template <int Dim>
+struct BoxColumns {
+    Array<double> lo[Dim], hi[Dim], min_reach, max_reach;
+
+    std::size_t size() const { return max_reach.size(); }
+    void resize(std::size_t n) {
+        for (int k = 0; k < Dim; ++k) {
+            lo[k].resize(n);
+            hi[k].resize(n);
+        }
+        min_reach.resize(n);
+        max_reach.resize(n);
+    }
+};
+inline constexpr std::size_t box_multiple = 8;
+
+/// What is near a cluster.
+struct NearBoxes {
+    std::uint32_t count = 0;
+    bool equal_reach = true;  ///< all that are near have the cluster's own reach
+};
+
 /// Builds lists from cluster grids; keeps its buffers between builds.
 template <int Dim>
 class NeighborSearch {
@@ -143,14 +167,15 @@ class NeighborSearch {
         std::size_t size = 0;
         /// Candidates of the block in hand, as (grid, cluster).
         Array<Index> near_grid, near_cluster;
-        Array<Extent<Dim>> near_extent;
-        Array<std::uint8_t> is_near;
+        BoxColumns<Dim> near_box;
         void clear();
     };
     struct Job {
         const ClusterGrid<Dim>& query;
         std::span<const ClusterGrid<Dim>* const> targets;
         CutOff cut;
+        NearBoxes (*find_near)(const BoxColumns<Dim>&, std::size_t, std::size_t, const Extent<Dim>&, const CutOff&,
+                               std::uint8_t*);
     };
     static void search_block(const Job& job, std::size_t block, Share& share);
     static void list_part(const Job& job, Range clusters, std::size_t first_near, std::size_t last_near, Share& share);

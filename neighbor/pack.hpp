@@ -130,37 +130,24 @@ SLUICE_INLINE Pack<T, N> operator/(Pack<T, N> a, Pack<T, N> b) {
     return a * reciprocal(b);
 }
 
-/// Whether a < b in any lane.
+/// Bit l is set where a < b in lane l.
 template <class T, int N>
-SLUICE_INLINE bool any_less(Pack<T, N> a, Pack<T, N> b) {
+SLUICE_INLINE unsigned mask_less(Pack<T, N> a, Pack<T, N> b) {
 #if defined(SLUICE_ISA_avx512)
-    if constexpr (sizeof(T) == 4 && N == 16) return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ) != 0;
-    if constexpr (sizeof(T) == 8 && N == 8) return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ) != 0;
+    if constexpr (sizeof(T) == 4 && N == 16) return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ);
+    if constexpr (sizeof(T) == 8 && N == 8) return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ);
 #elif defined(SLUICE_ISA_avx2)
-    if constexpr (sizeof(T) == 4 && N == 8) return _mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)) != 0;
-    if constexpr (sizeof(T) == 8 && N == 4) return _mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)) != 0;
-#elif defined(__SSE2__)
-    if constexpr (sizeof(T) == 4 && N == 4) return _mm_movemask_ps(_mm_cmplt_ps(a.v, b.v)) != 0;
-    if constexpr (sizeof(T) == 8 && N == 2) return _mm_movemask_pd(_mm_cmplt_pd(a.v, b.v)) != 0;
-#endif
-    bool any = false;
-    for (int l = 0; l < N; ++l) any = any || a.v[l] < b.v[l];
-    return any;
-}
-
-/// In how many lanes a < b.
-template <class T, int N>
-SLUICE_INLINE int count_less(Pack<T, N> a, Pack<T, N> b) {
-#if defined(SLUICE_ISA_avx512)
-    if constexpr (sizeof(T) == 8 && N == 8)
-        return __builtin_popcount(static_cast<unsigned>(_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)));
-#elif defined(SLUICE_ISA_avx2)
+    if constexpr (sizeof(T) == 4 && N == 8)
+        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
     if constexpr (sizeof(T) == 8 && N == 4)
-        return __builtin_popcount(static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ))));
+        return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)));
+#elif defined(__SSE2__)
+    if constexpr (sizeof(T) == 4 && N == 4) return static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(a.v, b.v)));
+    if constexpr (sizeof(T) == 8 && N == 2) return static_cast<unsigned>(_mm_movemask_pd(_mm_cmplt_pd(a.v, b.v)));
 #endif
-    int count = 0;
-    for (int l = 0; l < N; ++l) count += a.v[l] < b.v[l];
-    return count;
+    unsigned mask = 0;
+    for (int l = 0; l < N; ++l) mask |= (a.v[l] < b.v[l] ? 1U : 0U) << l;
+    return mask;
 }
 
 /// `block` consecutive numbers, repeated until the register is full.

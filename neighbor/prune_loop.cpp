@@ -61,10 +61,12 @@ std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& blo
                             const P d = x_i[g][k] - load_repeated<P, along_j>(other.x[k] + j);
                             r2 = r2 + d * d;
                         }
-                        const P none(0), support = larger(reach_i[g] + load_repeated<P, along_j>(other.reach + j), P(-1e200));
-                        const P limit = larger(support + P(task.cut.skin), none), inside = larger(support, none);
-                        any |= any_less(r2, limit * limit);
-                        pairs += static_cast<std::uint64_t>(count_less(r2, inside * inside));
+                        // Added up in the order in which the limits of boxes are: none is less by a rounding.
+                        const P none(0), reach_j = load_repeated<P, along_j>(other.reach + j);
+                        const P limit = larger(reach_i[g] + P(task.cut.skin) + reach_j, none);
+                        const P inside = larger(reach_i[g] + reach_j, none);
+                        any |= mask_less(r2, limit * limit) != 0;
+                        pairs += static_cast<std::uint64_t>(__builtin_popcount(mask_less(r2, inside * inside)));
                     }
                 out[count] = listed[e];  // without a branch: write always, go on if it counts
                 count += any;
@@ -75,6 +77,38 @@ std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& blo
     return pairs;
 }
 
+template <int Dim>
+NearBoxes find_near(const BoxColumns<Dim>& boxes, std::size_t first, std::size_t count, const Extent<Dim>& own,
+                    const CutOff& cut, std::uint8_t* out) {
+    const P none(0), reach(cut.query_scale * own.max_reach + cut.skin), scale(cut.target_scale);
+    NearBoxes near;
+    for (std::size_t c = 0; c < count; c += lanes) {
+        P d2(0);
+        for (int k = 0; k < Dim; ++k) {
+            const P below = load_repeated<P, lanes>(boxes.lo[k].data() + first + c) - P(own.box.hi[k]);
+            const P above = P(own.box.lo[k]) - load_repeated<P, lanes>(boxes.hi[k].data() + first + c);
+            const P gap = larger(larger(below, above), none);
+            d2 = d2 + gap * gap;
+        }
+        const P max_reach = load_repeated<P, lanes>(boxes.max_reach.data() + first + c);
+        const P limit = reach + scale * max_reach;
+        const unsigned is_near = mask_less(d2, limit * limit);
+        const P spread = max_reach - load_repeated<P, lanes>(boxes.min_reach.data() + first + c);
+        const P from_own = max_reach - P(own.max_reach);
+        const unsigned unequal = mask_less(none, spread * spread + from_own * from_own);
+        near.equal_reach &= (is_near & unequal) == 0;
+        for (int l = 0; l < lanes; ++l) {  // without a branch: write always, go on if it counts
+            out[near.count] = static_cast<std::uint8_t>(c + static_cast<std::size_t>(l));
+            near.count += is_near >> l & 1U;
+        }
+    }
+    return near;
+}
+
+template NearBoxes find_near<2>(const BoxColumns<2>&, std::size_t, std::size_t, const Extent<2>&, const CutOff&,
+                                std::uint8_t*);
+template NearBoxes find_near<3>(const BoxColumns<3>&, std::size_t, std::size_t, const Extent<3>&, const CutOff&,
+                                std::uint8_t*);
 template std::uint64_t prune_block<2>(const PruneTask<2>&, const ListView::Block&);
 template std::uint64_t prune_block<3>(const PruneTask<3>&, const ListView::Block&);
 

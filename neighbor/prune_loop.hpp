@@ -1,4 +1,4 @@
-// The loop that prunes a block's rows, once per instruction set.
+// The loops of the search, once per instruction set: candidates of a cluster by boxes, and pruning by distances.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +30,11 @@ struct PruneTask {
     /** Returns the pairs (a particle with itself too) closer than their reaches. */      \
     template <int Dim>                                                                    \
     std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& block);  \
+    /** Writes the numbers 0 … count − 1 of those boxes first … first + count − 1 that are closer to `own` than the    \
+        cut-off. */                                                                       \
+    template <int Dim>                                                                    \
+    NearBoxes find_near(const BoxColumns<Dim>& boxes, std::size_t first, std::size_t count, const Extent<Dim>& own, \
+                        const CutOff& cut, std::uint8_t* out);                            \
     }
 SLUICE_DECLARE_PRUNE(baseline)
 SLUICE_DECLARE_PRUNE(avx2)
