@@ -10,6 +10,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/output/report.hpp"
 #include "engine/output/summary.hpp"
+#include "neighbor/isa.hpp"
 
 namespace sluice {
 namespace {
@@ -56,6 +57,9 @@ std::string step_table(const Simulation<Dim>& simulation) {
     for (auto limit = limits.begin(); limit != limits.end(); ++limit)
         text += row("  limit of " + limit->medium,
                     fmt::format("{:.6g} s{}", limit->dt, limit == limiting ? ", the smallest" : ""));
+    if (simulation.solid_substeps() > 1)
+        text += row("solid sub-steps", fmt::format("{} of {:.6g} s in each step", simulation.solid_substeps(),
+                                                   dt / simulation.solid_substeps()));
     text += row("expected steps", fmt::format("{:.0f} to {:.6g} s", steps, simulation.scene().output.end));
     return text;
 }
@@ -81,6 +85,7 @@ ExitCode check_scene(const Scene& scene) {
     text += particle_table(simulation) + "\n" + step_table(simulation);
     text += row("memory", memory_text(static_cast<double>(simulation.memory_bytes())));
     text += row("precision", scene.method.precision);
+    text += row("instruction set", std::string(name_of(active_isa())));
     text += row("scene hash", text_hash(scene.source));
     const std::vector<std::string> columns = probes.columns();
     text += row("probe columns", columns.empty() ? "none" : fmt::format("{}", fmt::join(columns, ", ")));

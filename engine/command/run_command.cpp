@@ -3,10 +3,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/command/commands.hpp"
 #include "engine/command/scene_options.hpp"
 #include "engine/run.hpp"
+#include "neighbor/isa.hpp"
 
 namespace sluice {
 namespace {
@@ -19,7 +21,14 @@ struct RunArguments {
     std::string directory;
     int threads = 0;
     std::optional<double> until;
+    std::string isa;
 };
+
+std::vector<std::string> isa_names() {
+    std::vector<std::string> names;
+    for (const Isa isa : available_isas()) names.emplace_back(name_of(isa));
+    return names;
+}
 
 /// results/NAME, where NAME is the scene file's, or its folder's if all scenes are called `scene`.
 std::filesystem::path default_directory(const std::string& scene_file) {
@@ -30,6 +39,7 @@ std::filesystem::path default_directory(const std::string& scene_file) {
 }
 
 ExitCode run_scene(const RunArguments& arguments) {
+    if (!arguments.isa.empty()) use_isa(arguments.isa);
     const Scene scene = load_scene(arguments.scene.file, arguments.scene.overrides);
     std::filesystem::path directory = arguments.directory;
     if (directory.empty()) directory = default_directory(arguments.scene.file);
@@ -60,6 +70,8 @@ void add_run_command(CLI::App& program, Deed& chosen) {
     command.add_option("--until", arguments->until, "Simulated time to run to, in place of the scene's [s]")
         ->type_name("T")
         ->check(CLI::PositiveNumber);
+    command.add_option("--isa", arguments->isa, "Instruction set of the loops over pairs [the best that runs here]")
+        ->check(CLI::IsMember(isa_names()));
     command.callback([arguments, &chosen] { chosen = [arguments] { return run_scene(*arguments); }; });
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/output/progress.hpp"
+#include "neighbor/isa.hpp"
 
 namespace sluice {
 namespace {
@@ -48,13 +49,16 @@ std::string report_text(const Simulation<Dim>& simulation, const RunRecord& reco
     std::string text = phase_table(seconds_per_phase(simulation.timer(), record)) + "\n";
     text += row("status", std::string(name_of(record.state)));
     text += row("simulated time", fmt::format("{:.6g} of {:.6g} s", simulation.time(), record.end_time));
-    text += row("steps", fmt::format("{} of {:.4g} s", work.steps, simulation.time_step()));
+    const int substeps = simulation.solid_substeps();
+    text += row("steps", fmt::format("{} of {:.4g} s{}", work.steps, simulation.time_step(),
+                                     substeps > 1 ? fmt::format(", {} of the solid in each", substeps) : ""));
     text += row("neighbour builds", fmt::format("{}", work.neighbour_builds));
     text += row("particle-steps/s", short_number(record.rate(particle_steps)));
     text += row("pairs/s", short_number(record.rate(pairs)));
     text +=
         row("wall time", fmt::format("{:.2f} s, of which set-up {:.2f} s", record.wall_seconds, record.setup_seconds));
-    text += row("CPU time", fmt::format("{:.2f} s, {} threads", record.cpu_seconds, record.threads));
+    text += row("CPU time", fmt::format("{:.2f} s, {} threads, {}, {} precision", record.cpu_seconds, record.threads,
+                                        name_of(active_isa()), simulation.scene().method.precision));
     text += row("peak memory", memory_text(static_cast<double>(peak_memory_bytes())));
     if (simulation.fluid().owned > 0)
         text += row("highest fluid speed",

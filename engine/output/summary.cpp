@@ -7,6 +7,7 @@
 
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/version.hpp"
+#include "neighbor/isa.hpp"
 
 namespace sluice {
 namespace {
@@ -38,6 +39,7 @@ template <int Dim>
 void add_progress(Json& json, const Simulation<Dim>& simulation, const RunRecord& record) {
     json["steps"] = simulation.work().steps;
     json["dt"] = simulation.time_step();
+    json["solid_substeps"] = simulation.solid_substeps();
     json["simulated_time"] = simulation.time();
     json["end_time"] = record.end_time;
 }
@@ -59,6 +61,7 @@ void add_cost(Json& json, const Simulation<Dim>& simulation, const RunRecord& re
     json["pairs_per_second"] = record.rate(static_cast<double>(work.pairs));
     json["threads"] = record.threads;
     json["precision"] = simulation.scene().method.precision;
+    json["instruction_set"] = name_of(active_isa());
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["memory_bytes"] = simulation.memory_bytes();
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// Skin over the smallest smoothing length of its medium. A thicker skin means fewer builds but more to prune; the
 /// optimum is flat.
-constexpr double skin_over_h = 0.25;
+constexpr double skin_over_h = 0.5;
 
 /// Particles in a full cell: 8² or 4³.
 constexpr double cell_particles = 64;
