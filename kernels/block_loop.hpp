@@ -7,7 +7,8 @@
 
 namespace sluice {
 
-/// In what the arithmetic of pairs is done. State and sums over a row are double in both.
+/// In what the arithmetic of pairs is done. State is double in both; in mixed precision the sums over a row, a few
+/// dozen pairs, are single too.
 enum class Precision { full, mixed };
 
 template <int Dim>
@@ -24,7 +25,7 @@ inline constexpr std::size_t block_particles = block_size * cluster_size;
 //   always_full, if mixed precision will not do
 //   operator()(pair) → Vec<outputs, Real>
 //
-// sum_block: sums[(cluster · 4 + lane) · outputs + k] = Σ_j pass(ij)[k] for the block's particles.
+// sum_block: sums[(cluster · outputs + k) · 4 + lane] = Σ_j pass(ij)[k] for the block's particles.
 #define SLUICE_DECLARE_LOOP(level)                                                                          \
     namespace level {                                                                                       \
     template <class Pass, class Number>                                                                     \

@@ -42,7 +42,8 @@ SLUICE_INLINE void sum_row(const Pass& pass, const SideI& self, const FourJ* til
                 other.value[s] = load_repeated<Real, along_j>(four.value[s] + half);
             });
             const Vec<dim, Real> x_ij = self.position() - other.position();
-            const Real r2 = dot(x_ij, x_ij);
+            Real r2 = smallest;
+            unroll<dim>([&](int k) __attribute__((always_inline)) { r2 = r2 + x_ij[k] * x_ij[k]; });
             const Real other_h = other.smoothing_length();
             const Real mean_h = length_of<Pass>() == Length::of_j ? other_h : Real(0.5) * (own_h + other_h);
             const Real h = OwnH ? own_h : mean_h;
@@ -50,7 +51,7 @@ SLUICE_INLINE void sum_row(const Pass& pass, const SideI& self, const FourJ* til
             const Real scale = OwnH ? own_scale : kernel_scale<Smoothing, dim>(inverse_h);
             const Real slope_scale = OwnH ? own_slope_scale : Real(Smoothing::slope_scale) * scale * inverse_h;
             const Pair<dim, Smoothing, SideI, SideJ> pair{
-                self, other, x_ij, r2, inverse_sqrt(larger(r2, smallest)), h, inverse_h, scale, slope_scale};
+                self, other, x_ij, r2, inverse_sqrt(r2), h, inverse_h, scale, slope_scale};
             const Vec<Pass::outputs, Real> value = pass(pair);
             unroll<Pass::outputs>([&](int k) __attribute__((always_inline)) { sum[k] += value[k]; });
         }
@@ -101,21 +102,8 @@ void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, c
                     detail::sum_row<true>(pass, self, tile, entry, end, sum);
                 else
                     detail::sum_row<false>(pass, self, tile, entry, end, sum);
-                // Lanes of one particle are added up in double, always in the same order.
-                for (int k = 0; k < outputs; ++k) {
-                    Number lane[Real::lanes];
-                    std::memcpy(lane, &sum[k].v, sizeof lane);
-                    for (int i = 0; i < along_i; ++i) {
-                        const Number* part_sum = lane + i * along_j;
-                        double total = 0;
-                        if constexpr (along_j == 4)
-                            total = (static_cast<double>(part_sum[0]) + static_cast<double>(part_sum[1])) +
-                                    (static_cast<double>(part_sum[2]) + static_cast<double>(part_sum[3]));
-                        else
-                            for (int l = 0; l < along_j; ++l) total += static_cast<double>(part_sum[l]);
-                        sums[(q * 4 + static_cast<Index>(g + i)) * outputs + static_cast<Index>(k)] += total;
-                    }
-                }
+                for (int k = 0; k < outputs; ++k)
+                    add_block_sums<along_j>(sum[k], sums + (q * outputs + static_cast<Index>(k)) * 4 + g);
             }
         }
     }

@@ -23,7 +23,7 @@ struct DensityRate : Continuity {
     }
 };
 
-/// Σ_j V_j (v_j − v_i) W_ij and Σ_j V_j W_ij with V_j = m_j/ρ̄_ij: numerator and denominator of eq. (16).
+/// Numerator and denominator of eq. (16), both halved: Σ_j V_j (v_j − v_i) W_ij and Σ_j V_j W_ij with V_j = m_j/ρ̄_ij.
 template <int Dim>
 struct FilterSums {
     static constexpr int dim = Dim, outputs = Dim + 1;
@@ -33,7 +33,7 @@ struct FilterSums {
     template <class Pair>
     [[gnu::always_inline]] Vec<outputs, typename Pair::Real> operator()(const Pair& ij) const {
         using Real = typename Pair::Real;
-        const Real v_w = Real(2) * ij.m_j() * ij.w() / (ij.rho_i() + ij.rho_j());
+        const Real v_w = ij.m_w() * reciprocal(ij.rho_i() + ij.rho_j());
         const auto v_ij = ij.v_ij();
         Vec<outputs, Real> out;
         unroll<Dim>([&](int k) __attribute__((always_inline)) { out[k] = -(v_w * v_ij[k]); });

@@ -26,6 +26,8 @@ enum class Length { mean, of_i, of_j };
 /// that W_ij = W_ji and ∇_i W_ij = −∇_j W_ij also between particles of unequal size: every antisymmetric term
 /// conserves momentum. `Real` is a register of several pairs (neighbor/pack.hpp); terms are written as for one.
 ///
+/// Products are written so that what is known early is multiplied first: a loop's speed is that of its longest chain.
+///
 /// A pair outside the support has W = 0 and ∇W = 0, and so has a particle with itself (∇W): terms need no test.
 template <int Dim, class Smoothing, class SideI, class SideJ>
 struct Pair {
@@ -37,7 +39,7 @@ struct Pair {
     const SideI& side_i;
     const SideJ& side_j;
     Vector x_ij;
-    Real r2;         ///< |x_ij|²
+    Real r2;         ///< |x_ij|², kept off zero by the smallest number
     Real inverse_r;  ///< 1/|x_ij|; finite at 0, where q = 0 gives slope 0, and ∇W = 0 without a division by zero
     Real h;          ///< mean smoothing length, or what the pass asks for (Length)
     Real inverse_h;
@@ -45,15 +47,19 @@ struct Pair {
     Real slope_scale;  ///< σ/h^(Dim+1), with the smoothing function's own constant
 
     /// |x_ij|/h
-    SLUICE_GETTER Real q() const { return r2 * inverse_r * inverse_h; }
+    SLUICE_GETTER Real q() const { return (r2 * inverse_h) * inverse_r; }
     /// w(q), dimensionless
     SLUICE_GETTER Real shape() const { return Smoothing::shape(q()); }
     /// W_ij [1/m^Dim]
     SLUICE_GETTER Real w() const { return scale * shape(); }
+    /// m_j W_ij
+    SLUICE_GETTER Real m_w() const { return (scale * m_j()) * shape(); }
     /// ∇_i W_ij / x_ij, a scalar: (1/r) dW/dr
     SLUICE_GETTER Real grad_w_over_x() const { return slope_scale * inverse_r * Smoothing::reduced_slope(q()); }
     /// m_j ∇_i W_ij / x_ij
-    SLUICE_GETTER Real m_grad_w_over_x() const { return m_j() * grad_w_over_x(); }
+    SLUICE_GETTER Real m_grad_w_over_x() const {
+        return ((slope_scale * m_j()) * inverse_r) * Smoothing::reduced_slope(q());
+    }
 
     SLUICE_GETTER Vector v_i() const { return side_i.template tuple<column::velocity>(); }
     SLUICE_GETTER Vector v_j() const { return side_j.template tuple<column::velocity>(); }

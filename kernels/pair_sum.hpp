@@ -27,12 +27,12 @@ std::uint64_t sum_pairs_by_block(const Pass& pass, Precision precision, const Pa
             loop(task, block, pass, sums);
             const double* sum = sums;
             for (Index q = block.queries.begin; q < block.queries.end; ++q, sum += cluster_size * Pass::outputs) {
-                const double* s = sum;
+                const double* of_lane = sum;
                 list.for_queries(q, [&](Index i) {
                     Vec<Pass::outputs> value;
-                    for (int k = 0; k < Pass::outputs; ++k) value[k] = s[k];
+                    for (int k = 0; k < Pass::outputs; ++k) value[k] = of_lane[cluster_size * static_cast<Index>(k)];
                     store(n, i, value);
-                    s += Pass::outputs;
+                    ++of_lane;
                 });
             }
         }

@@ -188,4 +188,35 @@ SLUICE_INLINE P load_spread(const typename P::Number* p) {
     return r;
 }
 
+/// Adds up each `Block` consecutive lanes, as (0 + 1) + (2 + 3) for four, and adds the sums to out[0], out[1], ….
+template <int Block, class T, int N>
+SLUICE_INLINE void add_block_sums(Pack<T, N> a, double* out) {
+#if defined(SLUICE_ISA_avx512)
+    if constexpr (Block == 4 && sizeof(T) == 4 && N == 16) {
+        __m512 s = _mm512_add_ps(a.v, _mm512_permute_ps(a.v, 0xB1));
+        s = _mm512_add_ps(s, _mm512_permute_ps(s, 0x4E));
+        const __m512i first_lanes = _mm512_setr_epi32(0, 4, 8, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        const __m256d sums = _mm256_cvtps_pd(_mm512_castps512_ps128(_mm512_permutexvar_ps(first_lanes, s)));
+        _mm256_storeu_pd(out, _mm256_add_pd(_mm256_loadu_pd(out), sums));
+        return;
+    }
+    if constexpr (Block == 4 && sizeof(T) == 8 && N == 8) {
+        __m512d s = _mm512_add_pd(a.v, _mm512_permute_pd(a.v, 0x55));
+        s = _mm512_add_pd(s, _mm512_permutex_pd(s, 0x4E));
+        const __m512i first_lanes = _mm512_setr_epi64(0, 4, 0, 0, 0, 0, 0, 0);
+        const __m128d sums = _mm512_castpd512_pd128(_mm512_permutexvar_pd(first_lanes, s));
+        _mm_storeu_pd(out, _mm_add_pd(_mm_loadu_pd(out), sums));
+        return;
+    }
+#endif
+    for (int b = 0; b < N / Block; ++b) {
+        double sum = 0;
+        if constexpr (Block == 4)
+            sum = static_cast<double>((a.v[4 * b] + a.v[4 * b + 1]) + (a.v[4 * b + 2] + a.v[4 * b + 3]));
+        else
+            for (int l = 0; l < Block; ++l) sum += static_cast<double>(a.v[Block * b + l]);
+        out[b] += sum;
+    }
+}
+
 }  // namespace sluice::SLUICE_ISA

@@ -21,7 +21,7 @@ struct ArtificialViscosity {
         const Real approach = smaller(dot(ij.v_ij(), ij.x_ij), Real(0));
         // With one division: −Π = α c h v·x / ((r² + (0.1 h)²) ρ̄)
         const Real denominator = (ij.r2 + Real(0.01) * ij.h * ij.h) * (ij.rho_i() + ij.rho_j());
-        return Real(2 * alpha * sound_speed) * ij.h * approach / denominator;
+        return (Real(2 * alpha * sound_speed) * ij.h) * approach * reciprocal(denominator);
     }
 };
 
