@@ -68,6 +68,7 @@ void NeighborList::clear() {
     work_.clear();
     size_ = 0;
     pairs_ = 0;
+    counted_ = false;
 }
 
 template <int Dim>
@@ -215,6 +216,14 @@ void NeighborSearch<Dim>::prune(const Set& query, const Set& target, const CutOf
     task.query.reach = query.reach.data();
     task.target.reach = target.reach.data();
     task.cut = cut;
+    task.count = !list.counted_;
+    // In single precision, relative to the block: a hair more than asked for, so that nothing is lost to rounding.
+    constexpr double rounding = 1e-5;
+    if (!task.count) {
+        task.cut.query_scale *= 1 + rounding;
+        task.cut.target_scale *= 1 + rounding;
+        task.cut.skin *= 1 + rounding;
+    }
     task.list = list.view();
     task.row = list.row_.data();
     task.listed = list.listed_.data();
@@ -238,7 +247,8 @@ void NeighborSearch<Dim>::prune(const Set& query, const Set& target, const CutOf
     }
     for (std::size_t b = 1; b < list.blocks(); ++b) list.work_[b] += list.work_[b - 1];
     const bool same_set = &query.position == &target.position;
-    list.pairs_ = pairs - (same_set ? list.size() : 0);  // each found itself
+    if (task.count) list.pairs_ = pairs - (same_set ? list.size() : 0);  // each found itself
+    list.counted_ = true;
 }
 
 template <int Dim>

@@ -59,7 +59,7 @@ class NeighborList {
     std::size_t blocks() const { return block_.size(); }
     /// Particles in all blocks.
     std::size_t size() const { return size_; }
-    /// Directed pairs within the cut-off, without the skin and without a particle itself, when the list was pruned last.
+    /// Directed pairs within the cut-off, without the skin and without a particle itself, when the list was built.
     std::uint64_t pairs() const { return pairs_; }
     /// Pairs of clusters that a loop goes over, 16 pairs of particles each.
     std::uint64_t cluster_pairs() const { return work_.empty() ? 0 : work_.back(); }
@@ -102,6 +102,7 @@ class NeighborList {
     Array<std::uint64_t> work_;                   ///< cluster pairs up to each block's end
     std::size_t size_ = 0;
     std::uint64_t pairs_ = 0;
+    bool counted_ = false;
 };
 
 /// The cut-off of a pair: query_scale · reach_i + target_scale · reach_j + skin.
@@ -150,7 +151,8 @@ class NeighborSearch {
     void build(const ClusterGrid<Dim>& query, std::span<const ClusterGrid<Dim>* const> targets, const CutOff& cut,
                NeighborList& list);
 
-    /// Shortens the rows to what lies within the cut-off, and counts the pairs within it but for the skin.
+    /// Shortens the rows to what lies within the cut-off. The first time after a build it also counts the pairs within
+    /// it but for the skin.
     void prune(const Set& query, const Set& target, const CutOff& cut, NeighborList& list);
 
     std::size_t bytes() const;

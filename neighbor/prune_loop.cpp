@@ -5,43 +5,57 @@
 namespace sluice::SLUICE_ISA {
 namespace {
 
-using P = Pack<double>;
-constexpr int lanes = P::lanes;
-constexpr int along_j = lanes < 4 ? lanes : 4;  ///< candidates' particles in a register
-constexpr int along_i = lanes / along_j;        ///< the query's
-
-/// A cluster's particles; missing ones lie out of everything's reach.
-template <int Dim>
+/// A cluster's particles, relative to an origin near the block; missing ones lie out of everything's reach.
+template <int Dim, class Number>
 struct Four {
-    alignas(32) double x[Dim][4];
-    alignas(32) double reach[4];
+    static constexpr Number nowhere = sizeof(Number) == 4 ? Number(-1e18) : Number(-1e150);  ///< its square is finite
 
-    SLUICE_INLINE void load(const ListedCluster& c, const Index* index, const PruneColumns<Dim>& columns, double scale) {
+    alignas(4 * sizeof(Number)) Number x[Dim][4];
+    alignas(4 * sizeof(Number)) Number reach[4];
+
+    SLUICE_INLINE void load(const ListedCluster& c, const Index* index, const PruneColumns<Dim>& columns, double scale,
+                            const double (&origin)[Dim]) {
+        if (c.in_sequence && c.size == 4) {
+            for (int k = 0; k < Dim; ++k)
+                for (int l = 0; l < 4; ++l)
+                    x[k][l] = static_cast<Number>(columns.position[k][c.first + static_cast<Index>(l)] - origin[k]);
+            for (int l = 0; l < 4; ++l)
+                reach[l] = static_cast<Number>(scale * columns.reach[c.first + static_cast<Index>(l)]);
+            return;
+        }
         for (int l = 0; l < 4; ++l) {
             const bool there = l < c.size;
             const Index t = c.first + (there ? static_cast<Index>(l) : 0);
             const Index i = c.in_sequence ? t : index[t];
-            for (int k = 0; k < Dim; ++k) x[k][l] = columns.position[k][i];
-            reach[l] = there ? scale * columns.reach[i] : -1e300;
+            for (int k = 0; k < Dim; ++k) x[k][l] = static_cast<Number>(columns.position[k][i] - origin[k]);
+            reach[l] = there ? static_cast<Number>(scale * columns.reach[i]) : nowhere;
         }
     }
 };
 
-}  // namespace
-
-template <int Dim>
-std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& block) {
-    Four<Dim> near[part_size];
+/// Count: pairs within their reaches are counted, and positions taken as they are.
+template <bool Count, int Dim, class Number>
+SLUICE_INLINE std::uint64_t prune(const PruneTask<Dim>& task, const ListView::Block& block) {
+    using P = Pack<Number>;
+    constexpr int lanes = P::lanes;
+    constexpr int along_j = lanes < 4 ? lanes : 4;  // candidates' particles in a register
+    constexpr int along_i = lanes / along_j;        // the query's
+    const ListedCluster& first = task.list.query[block.queries.begin];
+    double origin[Dim] = {};
+    if constexpr (!Count)
+        for (int k = 0; k < Dim; ++k)
+            origin[k] = task.query.position[k][first.in_sequence ? first.first : task.list.query_index[first.first]];
+    Four<Dim, Number> near[part_size];
     std::uint64_t pairs = 0;
     const ListView& list = task.list;
     for (Index p = block.parts.begin; p < block.parts.end; ++p) {
         const ListView::Part& part = list.part[p];
         const ListedCluster* candidate = list.candidate + part.candidates.begin;
         for (Index c = 0; c < part.candidates.end - part.candidates.begin; ++c)
-            near[c].load(candidate[c], list.candidate_index, task.target, task.cut.target_scale);
+            near[c].load(candidate[c], list.candidate_index, task.target, task.cut.target_scale, origin);
         for (Index q = block.queries.begin; q < block.queries.end; ++q) {
-            Four<Dim> self;
-            self.load(list.query[q], list.query_index, task.query, task.cut.query_scale);
+            Four<Dim, Number> self;
+            self.load(list.query[q], list.query_index, task.query, task.cut.query_scale, origin);
             P x_i[4 / along_i][Dim], reach_i[4 / along_i];
             for (int g = 0; g < 4 / along_i; ++g) {
                 for (int k = 0; k < Dim; ++k) x_i[g][k] = load_spread<P, along_j>(self.x[k] + g * along_i);
@@ -52,7 +66,7 @@ std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& blo
             std::uint8_t* out = task.near + row.begin;
             std::uint32_t count = 0;
             for (std::uint32_t e = 0; e < row.listed; ++e) {
-                const Four<Dim>& other = near[listed[e]];
+                const Four<Dim, Number>& other = near[listed[e]];
                 bool any = false;
                 for (int g = 0; g < 4 / along_i; ++g)
                     for (int j = 0; j < 4; j += along_j) {
@@ -64,9 +78,12 @@ std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& blo
                         // Added up in the order in which the limits of boxes are: none is less by a rounding.
                         const P none(0), reach_j = load_repeated<P, along_j>(other.reach + j);
                         const P limit = larger(reach_i[g] + P(task.cut.skin) + reach_j, none);
-                        const P inside = larger(reach_i[g] + reach_j, none);
                         any |= mask_less(r2, limit * limit) != 0;
-                        pairs += static_cast<std::uint64_t>(__builtin_popcount(mask_less(r2, inside * inside)));
+                        if constexpr (Count) {
+                            const P inside = larger(reach_i[g] + reach_j, none);
+                            const unsigned mask = mask_less(r2, inside * inside);
+                            pairs += static_cast<std::uint64_t>(__builtin_popcount(mask));
+                        }
                     }
                 out[count] = listed[e];  // without a branch: write always, go on if it counts
                 count += any;
@@ -77,9 +94,18 @@ std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& blo
     return pairs;
 }
 
+}  // namespace
+
+template <int Dim>
+std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& block) {
+    return task.count ? prune<true, Dim, double>(task, block) : prune<false, Dim, float>(task, block);
+}
+
 template <int Dim>
 NearBoxes find_near(const BoxColumns<Dim>& boxes, std::size_t first, std::size_t count, const Extent<Dim>& own,
                     const CutOff& cut, std::uint8_t* out) {
+    using P = Pack<double>;
+    constexpr int lanes = P::lanes;
     const P none(0), reach(cut.query_scale * own.max_reach + cut.skin), scale(cut.target_scale);
     NearBoxes near;
     for (std::size_t c = 0; c < count; c += lanes) {

@@ -19,6 +19,7 @@ template <int Dim>
 struct PruneTask {
     PruneColumns<Dim> query, target;
     CutOff cut;
+    bool count = false;  ///< pairs within their reaches, in double; else single precision will do
     ListView list;
     ListView::Row* row = nullptr;           ///< `near` is set
     const std::uint8_t* listed = nullptr;   ///< entries as found
@@ -27,7 +28,7 @@ struct PruneTask {
 
 #define SLUICE_DECLARE_PRUNE(level)                                                       \
     namespace level {                                                                     \
-    /** Returns the pairs (a particle with itself too) closer than their reaches. */      \
+    /** Returns the pairs (a particle with itself too) closer than their reaches, if they are counted. */      \
     template <int Dim>                                                                    \
     std::uint64_t prune_block(const PruneTask<Dim>& task, const ListView::Block& block);  \
     /** Writes the numbers 0 … count − 1 of those boxes first … first + count − 1 that are closer to `own` than the    \
