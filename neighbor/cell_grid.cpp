@@ -7,6 +7,7 @@
 
 #include "neighbor/morton.hpp"
 #include "neighbor/parallel.hpp"
+#include "neighbor/radix_sort.hpp"
 
 namespace sluice {
 namespace {
@@ -33,19 +34,20 @@ void CellGrid<Dim>::build(const VectorField<Dim>& position, std::size_t first, s
     cell_size_ = cell_size;
     cells_.clear();
     cell_key_.clear();
-    keys_.resize(n);
+    Array<std::uint64_t> keys(n);
     order_.resize(n);
     max_reach_ = 0;
     if (n > 0) {
-        compute_keys(position, first, last);
-        sorter_.sort(keys_, order_, key_bits_);
-        collect_cells(position, reach);
+        compute_keys(position, first, last, keys);
+        RadixSorter().sort(keys, order_, key_bits_);
+        collect_cells(position, reach, keys);
     }
     hash_cells();
 }
 
 template <int Dim>
-void CellGrid<Dim>::compute_keys(const VectorField<Dim>& position, std::size_t first, std::size_t last) {
+void CellGrid<Dim>::compute_keys(const VectorField<Dim>& position, std::size_t first, std::size_t last,
+                                 Array<std::uint64_t>& keys) {
     const Box<Dim> box = extent_of(position, first, last);
     int bits = 1;
     for (int k = 0; k < Dim; ++k) {
@@ -58,7 +60,7 @@ void CellGrid<Dim>::compute_keys(const VectorField<Dim>& position, std::size_t f
     }
     key_bits_ = bits * Dim;
     parallel_for(last - first, [&](std::size_t k) {
-        keys_[k] = morton_encode<Dim>(cell_of(position, first + k));
+        keys[k] = morton_encode<Dim>(cell_of(position, first + k));
         order_[k] = static_cast<Index>(first + k);
     });
 }
@@ -76,18 +78,19 @@ std::array<std::uint32_t, Dim> CellGrid<Dim>::cell_of(const VectorField<Dim>& po
 }
 
 template <int Dim>
-void CellGrid<Dim>::collect_cells(const VectorField<Dim>& position, std::span<const double> reach) {
-    const std::size_t n = keys_.size();
+void CellGrid<Dim>::collect_cells(const VectorField<Dim>& position, std::span<const double> reach,
+                                  const Array<std::uint64_t>& keys) {
+    const std::size_t n = keys.size();
     for (std::size_t begin = 0; begin < n;) {
         Cell<Dim> cell;
         cell.coordinate = cell_of(position, order_[begin]);
         std::size_t end = begin;
-        for (; end < n && keys_[end] == keys_[begin]; ++end)
+        for (; end < n && keys[end] == keys[begin]; ++end)
             if (!reach.empty()) cell.reach = std::max(cell.reach, reach[order_[end]]);
         cell.begin = static_cast<Index>(begin);
         cell.end = static_cast<Index>(end);
         cells_.push_back(cell);
-        cell_key_.push_back(keys_[begin]);
+        cell_key_.push_back(keys[begin]);
         max_reach_ = std::max(max_reach_, cell.reach);
         begin = end;
     }
@@ -119,9 +122,8 @@ const Cell<Dim>* CellGrid<Dim>::find(const std::array<std::int64_t, Dim>& coordi
 
 template <int Dim>
 std::size_t CellGrid<Dim>::bytes() const {
-    return (keys_.capacity() + cell_key_.capacity()) * sizeof(std::uint64_t) +
-           (order_.capacity() + table_.capacity()) * sizeof(Index) + cells_.capacity() * sizeof(Cell<Dim>) +
-           sorter_.bytes();
+    return cell_key_.capacity() * sizeof(std::uint64_t) + (order_.capacity() + table_.capacity()) * sizeof(Index) +
+           cells_.capacity() * sizeof(Cell<Dim>);
 }
 
 template class CellGrid<2>;

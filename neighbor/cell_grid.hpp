@@ -12,7 +12,6 @@
 
 #include "neighbor/box.hpp"
 #include "neighbor/fields.hpp"
-#include "neighbor/radix_sort.hpp"
 
 namespace sluice {
 
@@ -36,6 +35,8 @@ class CellGrid {
 
     /// Particle indices, cell by cell in Morton order; within a cell ascending.
     const Array<Index>& order() const { return order_; }
+    /// For who sorts further within the cells.
+    Array<Index>& order() { return order_; }
     const Array<Cell<Dim>>& cells() const { return cells_; }
     double cell_size() const { return cell_size_; }
     const Vec<Dim>& origin() const { return origin_; }
@@ -52,9 +53,11 @@ class CellGrid {
     std::size_t bytes() const;
 
   private:
-    void compute_keys(const VectorField<Dim>& position, std::size_t first, std::size_t last);
+    void compute_keys(const VectorField<Dim>& position, std::size_t first, std::size_t last,
+                      Array<std::uint64_t>& keys);
     std::array<std::uint32_t, Dim> cell_of(const VectorField<Dim>& position, std::size_t i) const;
-    void collect_cells(const VectorField<Dim>& position, std::span<const double> reach);
+    void collect_cells(const VectorField<Dim>& position, std::span<const double> reach,
+                       const Array<std::uint64_t>& keys);
     void hash_cells();
 
     double cell_size_ = 0;
@@ -62,12 +65,10 @@ class CellGrid {
     Vec<Dim> origin_;
     std::array<std::uint32_t, Dim> extent_{};  ///< cells along each axis
     int key_bits_ = 0;
-    Array<std::uint64_t> keys_;
     Array<Index> order_;
     Array<Cell<Dim>> cells_;
     Array<std::uint64_t> cell_key_;
     Array<Index> table_;  ///< open addressing, size a power of two: cell number + 1, 0 = empty
-    RadixSorter sorter_;
 };
 
 template <int Dim>

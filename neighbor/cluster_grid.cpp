@@ -49,7 +49,6 @@ void ClusterGrid<Dim>::build(const VectorField<Dim>& position, std::size_t first
                              std::span<const double> reach) {
     cells_.build(position, first, last, cell_size, reach);
     const auto& cells = cells_.cells();
-    order_ = cells_.order();
     cell_block_.resize(cells.size() + 1);
     cell_cluster_.resize(cells.size() + 1);
     Index clusters = 0, blocks = 0;
@@ -63,7 +62,7 @@ void ClusterGrid<Dim>::build(const VectorField<Dim>& position, std::size_t first
     cell_cluster_[cells.size()] = clusters;
     cell_block_[cells.size()] = blocks;
     cluster_start_.resize(clusters + 1);
-    cluster_start_[clusters] = static_cast<Index>(order_.size());
+    cluster_start_[clusters] = static_cast<Index>(size());
     block_.resize(blocks);
     parallel_for_heavy(cells.size(), [&](std::size_t c) { cut_cell(position, c); });
     measure(position, reach);
@@ -71,6 +70,7 @@ void ClusterGrid<Dim>::build(const VectorField<Dim>& position, std::size_t first
 
 template <int Dim>
 void ClusterGrid<Dim>::cut_cell(const VectorField<Dim>& position, std::size_t cell) {
+    Array<Index>& order = cells_.order();
     const Cell<Dim>& c = cells_.cells()[cell];
     constexpr std::size_t usual = 512;
     std::array<Member<Dim>, usual> on_stack;
@@ -79,12 +79,12 @@ void ClusterGrid<Dim>::cut_cell(const VectorField<Dim>& position, std::size_t ce
     if (n > usual) on_heap.resize(n);
     const std::span<Member<Dim>> members(n > usual ? on_heap.data() : on_stack.data(), n);
     for (std::size_t m = 0; m < n; ++m) {
-        const Index i = order_[c.begin + m];
+        const Index i = order[c.begin + m];
         members[m] = {position[i], i};
         for (double& x : members[m].x.c) x = x == x ? x : 0.0;  // what is not a number cannot be sorted
     }
     halve(members);
-    for (std::size_t m = 0; m < n; ++m) order_[c.begin + m] = members[m].i;
+    for (std::size_t m = 0; m < n; ++m) order[c.begin + m] = members[m].i;
     for (Index k = cell_cluster_[cell]; k < cell_cluster_[cell + 1]; ++k)
         cluster_start_[k] = c.begin + (k - cell_cluster_[cell]) * cluster_size;
     for (Index b = cell_block_[cell]; b < cell_block_[cell + 1]; ++b) {
@@ -102,7 +102,7 @@ void ClusterGrid<Dim>::measure(const VectorField<Dim>& position, std::span<const
         for (Index c = block_[b].begin; c < block_[b].end; ++c) {
             Extent<Dim> extent;
             for (Index t = cluster_start_[c]; t < cluster_start_[c + 1]; ++t) {
-                const Index i = order_[t];
+                const Index i = order()[t];
                 const double r = reach.empty() ? 0.0 : reach[i];
                 extent.add({{position[i], position[i]}, r, r});
             }
@@ -114,12 +114,13 @@ void ClusterGrid<Dim>::measure(const VectorField<Dim>& position, std::span<const
 
 template <int Dim>
 void ClusterGrid<Dim>::particles_were_sorted(std::size_t first) {
-    parallel_for(order_.size(), [&](std::size_t t) { order_[t] = static_cast<Index>(first + t); });
+    Array<Index>& order = cells_.order();
+    parallel_for(order.size(), [&](std::size_t t) { order[t] = static_cast<Index>(first + t); });
 }
 
 template <int Dim>
 std::size_t ClusterGrid<Dim>::bytes() const {
-    return cells_.bytes() + (order_.capacity() + cell_block_.capacity() + cell_cluster_.capacity() + cluster_start_.capacity()) * sizeof(Index) +
+    return cells_.bytes() + (cell_block_.capacity() + cell_cluster_.capacity() + cluster_start_.capacity()) * sizeof(Index) +
            block_.capacity() * sizeof(Range) +
            (cluster_extent_.capacity() + block_extent_.capacity()) * sizeof(Extent<Dim>);
 }

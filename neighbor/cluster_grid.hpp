@@ -48,8 +48,8 @@ class ClusterGrid {
                std::span<const double> reach = {});
 
     /// Particle indices: cell by cell in Morton order, block by block, cluster by cluster.
-    const Array<Index>& order() const { return order_; }
-    std::size_t size() const { return order_.size(); }
+    const Array<Index>& order() const { return cells_.order(); }
+    std::size_t size() const { return order().size(); }
 
     /// To be told when the particles have been brought into the grid's order: order() is then first, first + 1, …
     void particles_were_sorted(std::size_t first);
@@ -76,18 +76,17 @@ class ClusterGrid {
     void measure(const VectorField<Dim>& position, std::span<const double> reach);
 
     CellGrid<Dim> cells_;
-    Array<Index> order_;
     Array<Index> cell_block_{0};     ///< first block of each cell
     Array<Index> cell_cluster_{0};   ///< first cluster of each cell
     Array<Range> block_;             ///< clusters
-    Array<Index> cluster_start_{0};  ///< in order_
+    Array<Index> cluster_start_{0};  ///< in order()
     Array<Extent<Dim>> cluster_extent_, block_extent_;
 };
 
 template <int Dim>
 template <class Visit>
 void ClusterGrid<Dim>::blocks_near(const Box<Dim>& box, double cut, double scale, Visit&& visit) const {
-    if (order_.empty()) return;
+    if (order().empty()) return;
     cells_.cells_near(box, cut, scale, [&](std::size_t cell) {
         for (Index b = cell_block_[cell]; b < cell_block_[cell + 1]; ++b) {
             const double limit = cut + scale * block_extent_[b].max_reach;

@@ -28,6 +28,13 @@ struct AlignedAllocator {
 template <class T>
 using Array = std::vector<T, AlignedAllocator<T>>;
 
+/// Resizes with little room to spare, where a vector would double its memory.
+template <class T>
+void resize_tight(Array<T>& column, std::size_t n) {
+    if (n > column.capacity()) column.reserve(n + n / 32);
+    column.resize(n);
+}
+
 using ScalarField = Array<double>;
 using Index = std::uint32_t;
 
@@ -43,7 +50,7 @@ struct TupleField {
 
     std::size_t size() const { return c[0].size(); }
     void resize(std::size_t n) {
-        for (auto& column : c) column.resize(n, 0.0);
+        for (auto& column : c) resize_tight(column, n);
     }
     Vec<Components> operator[](std::size_t i) const {
         Vec<Components> v;

@@ -156,6 +156,18 @@ template <int Dim>
 void NeighborSearch<Dim>::join(NeighborList& list) const {
     list.clear();
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    const auto reserve = [this](auto& to, auto Share::*part) {
+        std::size_t n = 0;
+        for (const Share& s : shares_) n += (s.*part).size();
+        to.reserve(n);
+    };
+    reserve(list.block_, &Share::block);
+    reserve(list.part_, &Share::part);
+    reserve(list.query_, &Share::query);
+    reserve(list.candidate_, &Share::candidate);
+    reserve(list.row_, &Share::row);
+    reserve(list.listed_, &Share::entry);
+    reserve(list.equal_reach_, &Share::equal_reach);
     for (const Share& s : shares_) {
         const auto parts = static_cast<Index>(list.part_.size()), queries = static_cast<Index>(list.query_.size());
         const auto candidates = static_cast<Index>(list.candidate_.size());
@@ -204,6 +216,7 @@ void NeighborSearch<Dim>::build(const ClusterGrid<Dim>& query, std::span<const C
         for (std::size_t b = share_of(t); b < share_of(t + 1); ++b) search_block(job, b, share);
     }
     join(list);
+    shares_.clear();  // as large as the list: not worth keeping until the next build
 }
 
 template <int Dim>
@@ -249,17 +262,6 @@ void NeighborSearch<Dim>::prune(const Set& query, const Set& target, const CutOf
     const bool same_set = &query.position == &target.position;
     if (task.count) list.pairs_ = pairs - (same_set ? list.size() : 0);  // each found itself
     list.counted_ = true;
-}
-
-template <int Dim>
-std::size_t NeighborSearch<Dim>::bytes() const {
-    std::size_t sum = 0;
-    for (const Share& s : shares_)
-        sum += s.block.capacity() * sizeof(ListView::Block) + s.part.capacity() * sizeof(ListView::Part) +
-               (s.query.capacity() + s.candidate.capacity()) * sizeof(ListedCluster) +
-               s.row.capacity() * sizeof(ListView::Row) + s.entry.capacity() + s.equal_reach.capacity() +
-               (s.query_index.capacity() + s.candidate_index.capacity()) * sizeof(Index);
-    return sum;
 }
 
 template class NeighborSearch<2>;

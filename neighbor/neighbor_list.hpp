@@ -135,7 +135,7 @@ struct NearBoxes {
     bool equal_reach = true;  ///< all that are near have the cluster's own reach
 };
 
-/// Builds lists from cluster grids; keeps its buffers between builds.
+/// Builds lists from cluster grids.
 template <int Dim>
 class NeighborSearch {
   public:
@@ -154,8 +154,6 @@ class NeighborSearch {
     /// Shortens the rows to what lies within the cut-off. The first time after a build it also counts the pairs within
     /// it but for the skin.
     void prune(const Set& query, const Set& target, const CutOff& cut, NeighborList& list);
-
-    std::size_t bytes() const;
 
   private:
     /// What one thread finds in its share of the query's blocks.

@@ -14,11 +14,6 @@ class RadixSorter {
     /// keys and values are permuted together; both have n entries.
     void sort(Array<std::uint64_t>& keys, Array<Index>& values, int key_bits);
 
-    std::size_t bytes() const {
-        return key_buffer_.capacity() * sizeof(std::uint64_t) +
-               (value_buffer_.capacity() + offsets_.capacity()) * sizeof(Index);
-    }
-
   private:
     Array<std::uint64_t> key_buffer_;
     Array<Index> value_buffer_;

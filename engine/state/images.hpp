@@ -45,7 +45,7 @@ class Images {
     /// Appends copies of the parents' entries.
     template <class T>
     void extend(Array<T>& column, std::size_t owned) const {
-        column.resize(owned + count());
+        resize_tight(column, owned + count());
         refresh(column, owned);
     }
     /// Copies a scalar from each parent.
@@ -74,6 +74,10 @@ class Images {
         });
     }
     std::uint8_t path_to(std::uint8_t from, std::uint8_t plane);
+    Vec<Dim> place_of(Vec<Dim> x, std::uint8_t path) const {
+        for (const std::uint8_t plane : paths_[path]) x = planes_[plane].reflect_position(x);
+        return x;
+    }
 
     std::vector<MirrorPlane<Dim>> planes_;
     std::vector<Path> paths_;
@@ -102,15 +106,17 @@ void Images<Dim>::create(const std::vector<MirrorPlane<Dim>>& planes, VectorFiel
     path_.clear();
     position.resize(owned);
     for (std::size_t p = 0; p < planes.size(); ++p) {
-        const std::size_t before = position.size();
+        const std::size_t before = owned + count();
         for (std::size_t i = 0; i < before; ++i) {
             const Index owner = i < owned ? static_cast<Index>(i) : parent_[i - owned];
-            if (planes[p].distance(position[i]) > range(owner)) continue;
+            const std::uint8_t path = i < owned ? std::uint8_t{0} : path_[i - owned];
+            if (planes[p].distance(place_of(position[owner], path)) > range(owner)) continue;
             parent_.push_back(owner);
-            path_.push_back(path_to(i < owned ? std::uint8_t{0} : path_[i - owned], static_cast<std::uint8_t>(p)));
-            position.push_back(planes[p].reflect_position(position[i]));
+            path_.push_back(path_to(path, static_cast<std::uint8_t>(p)));
         }
     }
+    position.resize(owned + count());
+    refresh_positions(position, owned);
 }
 
 template <int Dim>

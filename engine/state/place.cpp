@@ -4,6 +4,7 @@
 #include "engine/scene/checks.hpp"
 #include "engine/scene/formula.hpp"
 #include "engine/state/state.hpp"
+#include "engine/state/visit.hpp"
 
 namespace sluice {
 namespace {
@@ -179,6 +180,10 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     allocate_rates(effects, state);
     if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
     find_smoothing_range(state);
+    const auto trim = [](auto& column) { column.shrink_to_fit(); };
+    visit_columns(state.fluid, trim);
+    visit_columns(state.solid, trim);
+    visit_columns(state.wall, trim);
     return state;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/state/reorder.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -38,7 +39,7 @@ Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, doubl
         auto& wall = state_.wall;
         wall_grid_.build(wall.position, 0, wall.owned, cell_over_h_ * largest(wall.smoothing_length),
                          wall.smoothing_length);
-        reorder(wall, wall_grid_.order(), buffers_);
+        reorder(wall, wall_grid_.order());
         wall_grid_.particles_were_sorted(0);
         make_wall_images();
     }
@@ -79,7 +80,7 @@ void Neighborhood<Dim>::sort_fluid() {
     auto& fluid = state_.fluid;
     fluid_grid_.build(fluid.position, 0, fluid.owned, cell_over_h_ * largest(fluid.smoothing_length),
                       fluid.smoothing_length);
-    reorder(fluid, fluid_grid_.order(), buffers_);
+    reorder(fluid, fluid_grid_.order());
     fluid_grid_.particles_were_sorted(0);
 }
 
@@ -88,7 +89,7 @@ void Neighborhood<Dim>::sort_solid() {
     auto& solid = state_.solid;
     solid_grid_.build(solid.position, 0, solid.owned, cell_over_h_ * largest(solid.smoothing_length),
                       solid.smoothing_length);
-    reorder(solid, solid_grid_.order(), buffers_);
+    reorder(solid, solid_grid_.order());
     solid_grid_.particles_were_sorted(0);
     solid_index_of_id_.resize(solid.owned);
     for (std::size_t i = 0; i < solid.owned; ++i) solid_index_of_id_[solid.id[i]] = static_cast<Index>(i);
@@ -259,15 +260,14 @@ void Neighborhood<Dim>::refresh_wall_pressure() {
 
 template <int Dim>
 std::size_t Neighborhood<Dim>::bytes() const {
-    std::size_t sum = search_.bytes();
+    std::size_t sum = 0;
     for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid,
                                      &fluid_element, &element_solid, &solid_element, &element_image, &image_element})
         sum += list->bytes();
     for (const Grid* grid : {&fluid_grid_, &fluid_image_grid_, &wall_grid_, &wall_image_grid_, &solid_grid_,
                              &element_grid_, &element_image_grid_})
         sum += grid->bytes();
-    return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes() +
-           buffers_.reals.capacity() * sizeof(double);
+    return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes();
 }
 
 template class Neighborhood<2>;

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "engine/state/reorder.hpp"
 #include "engine/state/state.hpp"
 #include "engine/step/skin.hpp"
 #include "neighbor/cluster_grid.hpp"
@@ -69,7 +68,6 @@ class Neighborhood {
     Images<Dim> fluid_images_, wall_images_, element_images_;
     Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_;
     NeighborSearch<Dim> search_;
-    ReorderBuffers buffers_;
 };
 
 extern template class Neighborhood<2>;
