@@ -38,6 +38,7 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>
 struct StepPlan {
     double dt = 0;     ///< [s]
     int substeps = 1;  ///< of the solid
+    double single_rate_steps = 1;  ///< how many steps of the single-rate scheme it takes the place of
 };
 
 /// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
@@ -47,8 +48,9 @@ StepPlan plan_steps(const Scene& scene, const std::vector<CourantLimit>& limits,
         std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.dt < b.dt; });
     const bool multi_rate = scene.method.multi_rate && both_media;
     const double dt = scene.method.time_step.value_or(multi_rate ? limits.front().dt : least->dt);
-    if (!multi_rate) return {dt, 1};
-    return {dt, std::max(1, static_cast<int>(std::ceil(dt / limits.back().dt * (1 - 1e-12))))};
+    if (!multi_rate) return {dt};
+    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / limits.back().dt * (1 - 1e-12))));
+    return {dt, substeps, std::max(1.0, dt / least->dt)};
 }
 
 }  // namespace
@@ -227,8 +229,9 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::filter_pass);
         auto& fluid = state.fluid;
         neighbors.refresh_fluid_velocities();
-        // Eq. (16) acts once per step of the paper's scheme: a longer step takes as many of them at once.
-        const double theta = std::pow(scene.method.fluid.velocity_filter, plan.substeps);
+        // Eq. (16) acts once per step of the paper's scheme, and what it dissipates in a given time depends on how often
+        // that is: a longer step takes as many of them at once.
+        const double theta = std::pow(scene.method.fluid.velocity_filter, plan.single_rate_steps);
         pairs += velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, theta, precision,
                                       fluid.velocity_correction);
         parallel_for(fluid.owned, [&](std::size_t i) {

@@ -1,0 +1,69 @@
+// A time step allocates nothing, but where neighbours are listed anew.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "tests/catch.hpp"
+#include "tests/engine/physics_scenes.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t n, std::size_t alignment) {
+    ++allocations;
+    void* p = std::aligned_alloc(alignment, (n + alignment - 1) / alignment * alignment);
+    if (!p) throw std::bad_alloc();
+    return p;
+}
+
+}  // namespace
+
+// All of this program's allocations are counted.
+void* operator new(std::size_t n) { return counted(n, alignof(std::max_align_t)); }
+void* operator new(std::size_t n, std::align_val_t a) { return counted(n, static_cast<std::size_t>(a)); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace sluice {
+
+TEST_CASE("A step without a search allocates nothing") {
+    const std::string precision = GENERATE("double", "mixed"), rate = GENERATE("single-rate", "multi-rate");
+    Simulation<2> simulation(scene_text::load(
+        "gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
+[method.solid]
+velocity_filter = 0.99
+[bodies.water]
+material = "water"
+shape = { box = { min = [-0.1, 0.0], max = [0.0, 0.06] } }
+hydrostatic_surface = 0.06
+[bodies.gate]
+material = "rubber"
+shape = { box = { min = [0.0, 0.0], max = [0.01, 0.06] } }
+clamp = { box = { min = [0.0, 0.05], max = [0.01, 0.06] } }
+[walls.floor]
+kind = "mirror"
+point = [0.0, 0.0]
+normal = [0.0, 1.0]
+[walls.back]
+kind = "fixed"
+shape = { box = { min = [-0.12, 0.0], max = [-0.1, 0.06] } }
+)toml",
+        {"method.precision=" + precision, "method.time_stepping=" + rate}));
+    advance(simulation, 2);  // scratch grows to its size
+    int without_search = 0;
+    for (int s = 0; s < 30; ++s) {
+        const std::uint64_t builds = simulation.work().neighbour_builds;
+        const long before = allocations;
+        simulation.step();
+        const long made = allocations - before;
+        if (simulation.work().neighbour_builds != builds) continue;
+        ++without_search;
+        REQUIRE(made == 0);
+    }
+    REQUIRE(without_search > 10);
+}
+
+}  // namespace sluice
