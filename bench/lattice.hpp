@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include "kernels/columns.hpp"
@@ -128,7 +129,9 @@ struct Boundary {
     NeighborList fluid_backing, backing_fluid, element_fluid, fluid_element, element_backing, backing_element;
 
     Boundary(std::size_t n, double h_over_d)
-        : fluid(layers(n, 4, 0.5), h_over_d), backing(layers(n, 4, -3.5), h_over_d), elements(layers(n, 1, 0), h_over_d) {
+        : fluid(layers(n, 4, 0.5), h_over_d),
+          backing(layers(n, 4, -3.5), h_over_d),
+          elements(layers(n, 1, 0), h_over_d) {
         list_neighbours(fluid, backing, {}, fluid_backing);
         list_neighbours(backing, fluid, {}, backing_fluid);
         // Between an element and a particle, the particle's support counts alone.
@@ -149,5 +152,20 @@ struct Boundary {
         return disturbed_lattice<Dim>(sides, corner);
     }
 };
+
+/// A Cube or Boundary, kept until another one is asked for: benchmarks that follow each other mostly share it.
+template <class Sample>
+Sample& cached(std::size_t particles, double h_over_d) {
+    static std::unique_ptr<Sample> sample;
+    static std::size_t cached_particles;
+    static double cached_h;
+    if (!sample || particles != cached_particles || h_over_d != cached_h) {
+        sample.reset();  // before the next one takes its memory
+        sample = std::make_unique<Sample>(particles, h_over_d);
+        cached_particles = particles;
+        cached_h = h_over_d;
+    }
+    return *sample;
+}
 
 }  // namespace sluice::bench

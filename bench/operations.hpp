@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "bench/lattice.hpp"
@@ -39,9 +40,9 @@ class Ledger {
         if (is_new) entries_.push_back({});
         return place->second;
     }
-    /// A number read from memory: new each time.
-    std::uint32_t loaded(bool varies) {
-        entries_.push_back({varies ? Kind::varying : Kind::fixed, 0, 0, varies});
+    /// A number read from memory, of a candidate (varying) or of the particle itself (fixed): new each time.
+    std::uint32_t loaded(Kind kind) {
+        entries_.push_back({kind, 0, 0, kind == Kind::varying});
         return next() - 1;
     }
     /// The expression is a result: what it is made of is counted, unless it has been before.
@@ -72,10 +73,14 @@ class Ledger {
         switch (kind) {
             case Kind::fixed:
             case Kind::varying:
-            case Kind::negate: return 0;
-            case Kind::reciprocal: return 4;
-            case Kind::inverse_sqrt: return 6;
-            default: return 1;
+            case Kind::negate:
+                return 0;
+            case Kind::reciprocal:
+                return 4;
+            case Kind::inverse_sqrt:
+                return 6;
+            default:
+                return 1;
         }
     }
 
@@ -85,17 +90,20 @@ class Ledger {
     std::uint64_t operations_ = 0;
 };
 
-/// A number that is known by its place in the ledger.
+/// A number that is known by its place in the ledger. Not inlined: loops on it are long enough to compile as it is.
 struct Symbol {
     std::uint32_t id = 0;
 
     Symbol() = default;
-    Symbol(double value) : id(Ledger::current().constant(value)) {}
+    [[gnu::noinline]] Symbol(double value) : id(Ledger::current().constant(value)) {}
     /// Done with results only.
-    explicit operator double() const {
+    [[gnu::noinline]] explicit operator double() const {
         Ledger::current().use(id);
         return 0;
     }
+
+    /// The only lane of a register.
+    Symbol operator[](int) const { return *this; }
 
     using Kind = Ledger::Kind;
     static Symbol numbered(std::uint32_t id) {
@@ -103,9 +111,11 @@ struct Symbol {
         s.id = id;
         return s;
     }
-    static Symbol of(Kind kind, Symbol a) { return numbered(Ledger::current().intern(kind, a.id)); }
-    static Symbol of(Kind kind, Symbol a, Symbol b) { return numbered(Ledger::current().intern(kind, a.id, b.id)); }
-    static Symbol loaded(bool varies) { return numbered(Ledger::current().loaded(varies)); }
+    [[gnu::noinline]] static Symbol of(Kind kind, Symbol a) { return numbered(Ledger::current().intern(kind, a.id)); }
+    [[gnu::noinline]] static Symbol of(Kind kind, Symbol a, Symbol b) {
+        return numbered(Ledger::current().intern(kind, a.id, b.id));
+    }
+    [[gnu::noinline]] static Symbol loaded(Kind kind) { return numbered(Ledger::current().loaded(kind)); }
     friend Symbol operator+(Symbol a, Symbol b) { return of(Kind::add, a, b); }
     friend Symbol operator*(Symbol a, Symbol b) { return of(Kind::multiply, a, b); }
     Symbol& operator+=(Symbol b) { return *this = *this + b; }
@@ -149,11 +159,11 @@ struct Pack<Symbol, 1> {
 /// Candidates are loaded with load_repeated, the particle itself with load_spread.
 template <>
 inline Pack<Symbol> load_repeated<Pack<Symbol>, 1>(const Symbol*) {
-    return Symbol::loaded(true);
+    return Symbol::loaded(Symbol::Kind::varying);
 }
 template <>
 inline Pack<Symbol> load_spread<Pack<Symbol>, 1>(const Symbol*) {
-    return Symbol::loaded(false);
+    return Symbol::loaded(Symbol::Kind::fixed);
 }
 
 }  // namespace sluice::counted
@@ -162,21 +172,25 @@ namespace sluice::bench {
 
 /// Operations per lane that the loop goes over.
 template <class Pass>
-double operations_per_lane(const Pass& pass) {
-    const Cube<Pass::dim> few(16, 1.2);
-    const BlockTask<Pass::dim> task{few.medium.view(), few.medium.view(), few.list.view()};
-    const std::uint64_t before = Ledger::current().operations();
-    double sums[block_particles * Pass::outputs];
-    for (std::size_t b = 0; b < few.list.blocks(); ++b) counted::sum_block<Pass, Symbol>(task, task.list.block[b], pass, sums);
-    const std::uint64_t operations = Ledger::current().operations() - before;
-    return static_cast<double>(operations) / (16 * static_cast<double>(few.list.cluster_pairs()));
+double operations_per_lane() {
+    static const double counted_once = [] {
+        const Cube<Pass::dim> few(16, 1.2);
+        const BlockTask<Pass::dim> task{few.medium.view(), few.medium.view(), few.list.view()};
+        const std::uint64_t before = Ledger::current().operations();
+        double sums[block_particles * Pass::outputs];
+        for (std::size_t b = 0; b < few.list.blocks(); ++b)
+            counted::sum_block<Pass, Symbol>(task, task.list.block[b], Pass{}, sums);
+        const std::uint64_t operations = Ledger::current().operations() - before;
+        return static_cast<double>(operations) / (16 * static_cast<double>(few.list.cluster_pairs()));
+    }();
+    return counted_once;
 }
 
 /// Operations of a function of one number.
 template <class Function>
 double operations_of(const Function& function) {
     const std::uint64_t before = Ledger::current().operations();
-    static_cast<void>(static_cast<double>(function(counted::Pack<Symbol>(Symbol::loaded(true))).v));
+    static_cast<void>(static_cast<double>(function(counted::Pack<Symbol>(Symbol::loaded(Symbol::Kind::varying))).v));
     return static_cast<double>(Ledger::current().operations() - before);
 }
 

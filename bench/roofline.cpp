@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "bench/roofline_loops.hpp"
+#include "bench/suite.hpp"
 #include "neighbor/fields.hpp"
 
 namespace sluice::bench {

@@ -19,7 +19,4 @@ double arithmetic_peak(Isa isa, Precision precision);
 /// Measured on first use.
 const CopyRate& copy_rate();
 
-/// The limits as benchmarks of their own: roofline/fma/float/avx512, roofline/copy/memory, …
-void register_roofline();
-
 }  // namespace sluice::bench

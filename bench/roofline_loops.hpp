@@ -13,11 +13,11 @@ inline constexpr int accumulators = 12;
 
 }  // namespace sluice::bench
 
-#define SLUICE_DECLARE_ROOFLINE(level)                                                                     \
-    namespace sluice::level {                                                                              \
+#define SLUICE_DECLARE_ROOFLINE(level)                                                                        \
+    namespace sluice::level {                                                                                 \
     /** Multiplies and adds `rounds` times on all accumulators; returns the operations done, lane by lane. */ \
-    template <class Number>                                                                                \
-    std::uint64_t multiply_add(std::uint64_t rounds);                                                      \
+    template <class Number>                                                                                   \
+    std::uint64_t multiply_add(std::uint64_t rounds);                                                         \
     }
 SLUICE_DECLARE_ROOFLINE(baseline)
 SLUICE_DECLARE_ROOFLINE(avx2)

@@ -1,5 +1,5 @@
-// Bytes that a pass cannot avoid to read and write, if each is moved once: what it would move through a cache that keeps
-// everything until the pass is over.
+// Bytes that a pass cannot avoid to read and write, if each is moved once: what it would move through a cache that
+// keeps everything until the pass is over.
 #pragma once
 
 #include <cstddef>
