@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "tests/kernels/twins.hpp"
+#include "tests/kernels/variants.hpp"
 
 namespace sluice {
 
 /// Allowed error of a sum, in units of Σ|term|.
-/// double: the passes and the twins round each term some ten times in different order; the steepest place is the
-///   slope of W at a small q, whose truncated powers cancel to 4e-16/(3q): 1e-12 has room down to q = 1e-3.
-/// float: eps = 6e-8 · (distance to the group's origin)/r ≈ 40 for the closest pairs, 1e-7/(3q) from the slope, and the
-///   lanes' sum of up to 128 terms: some 1e-5, with room for the few pairs that are still closer.
-template <class Real>
-inline constexpr double twin_tolerance = sizeof(Real) == 8 ? 1e-12 : 1e-4;
+/// full: the passes and the twins round each term some ten times in different order; the steepest place is the
+///   slope of W at a small q, whose truncated powers cancel to 4e-16/(3q): 1e-13 has room down to q = 1e-2, where a
+///   term is one of many. Seen: 2e-14.
+/// mixed: eps = 6e-8 · (distance to the block's origin)/r ≈ 40 for the closest pairs, which are few among many, and
+///   1e-7/(3q) from the slope. Seen: 5e-6.
+constexpr double twin_tolerance(Precision precision) { return precision == Precision::full ? 1e-13 : 1e-5; }
 
 /// Σ|term| of each particle, all components together (a component that happens to be small is no more accurate than the
 /// vector), but no less than a hundredth of the mean: a particle whose only partners stand at the edge of the support

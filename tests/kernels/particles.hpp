@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "kernels/pair.hpp"
+#include "kernels/columns.hpp"
 #include "neighbor/neighbor_list.hpp"
 #include "tests/neighbor/clouds.hpp"
 
@@ -124,60 +124,105 @@ void randomize_h(Particles<Dim>& p, Random& random) {
     for (double& h : p.h) h *= random.in(0.5, 2);
 }
 
-enum class Scene { lattice, jittered, unequal, crowded };
-inline constexpr std::array scenes{Scene::lattice, Scene::jittered, Scene::unequal, Scene::crowded};
+/// Brings the particles into another order.
+template <int Dim, class Order>
+void reorder(Particles<Dim>& p, const Order& order) {
+    p.position = reordered(p.position, order);
+    p.velocity = reordered(p.velocity, order);
+    for (ScalarField* column : {&p.h, &p.mass, &p.volume, &p.density, &p.pressure, &p.pressure_over_rho2})
+        *column = reordered(*column, order);
+    for (auto* tensors : {&p.stress, &p.stress_over_rho2, &p.artificial_stress}) *tensors = reordered(*tensors, order);
+}
 
-/// A set of particles in a random state. `crowded` has far more candidates per group than a tile has lanes.
+/// Edge of the cells that lists are searched with: between a few particles each, so that many clusters are not full,
+/// and several blocks.
+inline double cell_for(const ScalarField& h) { return h.empty() ? 1.0 : 4 * *std::min_element(h.begin(), h.end()); }
+
+/// What a set of particles looks like. `odd`: several at one place, and some without any neighbour.
+enum class Scene { lattice, jittered, unequal, crowded, odd };
+inline constexpr std::array scenes{Scene::lattice, Scene::jittered, Scene::unequal, Scene::crowded, Scene::odd};
+
+/// The same set at another size, of the same densities and smoothing lengths per spacing.
 template <int Dim>
-Particles<Dim> make_scene(Scene scene, unsigned seed = 1) {
+void rescale(Particles<Dim>& p, double factor) {
+    for (auto& column : p.position.c)
+        for (double& x : column) x *= factor;
+    for (double& h : p.h) h *= factor;
+    for (double& m : p.mass) m *= std::pow(factor, Dim);
+    p.derive();
+}
+
+/// Powers of h leave the range of a float long before lengths do. From the scenes' spacing of 0.1 m to 1 mm, 1 µm, 1
+/// km.
+inline constexpr std::array scales{1e-2, 1e-5, 1e4};
+
+/// How a set of particles stands in memory: in an order of chance, where loops go through indices, or in the grid's,
+/// where they run along memory.
+enum class Layout { shuffled, sorted };
+inline constexpr std::array layouts{Layout::shuffled, Layout::sorted};
+
+template <int Dim>
+void lay_out(Particles<Dim>& p, Layout layout) {
+    Random random(99);
+    reorder(p, shuffled(p.size(), random));
+    if (layout == Layout::shuffled) return;
+    const ThreadScope scope(1);
+    ClusterGrid<Dim> grid;
+    grid.build(p.position, 0, p.size(), cell_for(p.h), p.h);
+    reorder(p, grid.order());
+}
+
+/// A set of particles in a random state.
+template <int Dim>
+Particles<Dim> make_scene(Scene scene, unsigned seed = 1, Layout layout = Layout::shuffled) {
     Random random(seed);
     const double d = 0.1;
     Particles<Dim> p = lattice(cube<Dim>(Dim == 2 ? 24 : 9, d, 1.3));
     if (scene != Scene::lattice) jitter(p, 0.3 * d, random);
-    if (scene == Scene::unequal || scene == Scene::crowded) randomize_h(p, random);
+    if (scene != Scene::lattice && scene != Scene::jittered) randomize_h(p, random);
     if (scene == Scene::crowded)
         for (std::size_t i = 0; i < p.size(); i += 2) p.position.set(i, random.vector<Dim>(0, Dim == 2 ? d : 2 * d));
+    if (scene == Scene::odd)
+        for (std::size_t i = 5; i + 1 < p.size(); i += 7) {
+            for (std::size_t k = 1; k <= i % 5; ++k) p.position.set(i - k, p.position[i]);
+            if (i % 11 == 0) p.position.set(i, 10.0 * p.position[i]);
+        }
     randomize_state(p, random);
+    lay_out(p, layout);
     return p;
 }
 
-/// Cut-offs as the passes need them: the pair's mean support, or the particle's own towards points without h.
-inline PairReach pair_reach(const ScalarField& query_h, const ScalarField& target_h, double skin = 0) {
-    return {query_h, target_h, skin, query_h.empty() || target_h.empty() ? 2.0 : 1.0,
-            query_h.empty() || target_h.empty() ? 2.0 : 1.0};
-}
-
+/// Lists of all queries as the passes need them, pruned, with a skin that leaves pairs outside the support in. Points
+/// without h see twice the particles' own.
 template <int Dim>
 NeighborList list_between(const VectorField<Dim>& query, const ScalarField& query_h, const VectorField<Dim>& target,
-                          const ScalarField& target_h, int group_size) {
-    double smallest = std::numeric_limits<double>::max();
-    for (const auto* h : {&query_h, &target_h})
-        if (!h->empty()) smallest = std::min(smallest, *std::min_element(h->begin(), h->end()));
-    CellGrid<Dim> query_grid, target_grid;
-    query_grid.build(query, query.size(), 2.2 * smallest, query_h);
+                          const ScalarField& target_h) {
+    const ThreadScope scope(1);
+    const double h_scale = query_h.empty() || target_h.empty() ? 2 : 1,
+                 cell = cell_for(query_h.empty() ? target_h : query_h);
+    const ScalarField none(std::max(query.size(), target.size()), 0.0);
+    const auto &query_reach = query_h.empty() ? none : query_h, &target_reach = target_h.empty() ? none : target_h;
+    const CutOff cut{0.05 * cell, h_scale, h_scale};
+    ClusterGrid<Dim> query_grid, target_grid;
+    query_grid.build(query, 0, query.size(), cell, query_reach);
     const bool same = &query == &target;
-    if (!same) target_grid.build(target, target.size(), 2.2 * smallest, target_h);
+    if (!same) target_grid.build(target, 0, target.size(), cell, target_reach);
+    const ClusterGrid<Dim>* const targets = same ? &query_grid : &target_grid;
     NeighborList list;
-    NeighborSearch<Dim>().build({query, query_grid}, query.size(), {target, same ? query_grid : target_grid},
-                                pair_reach(query_h, target_h, 0.2 * smallest), group_size, list);
+    NeighborSearch<Dim> searcher;
+    searcher.build(query_grid, {&targets, 1}, cut, list);
+    searcher.prune({query, query_reach}, {target, target_reach}, cut, list);
     return list;
 }
 
 template <int Dim>
-NeighborList list_of(const Particles<Dim>& p, int group_size = max_group_size) {
-    return list_between<Dim>(p.position, p.h, p.position, p.h, group_size);
+NeighborList list_of(const Particles<Dim>& p) {
+    return list_between<Dim>(p.position, p.h, p.position, p.h);
 }
 
 template <int Dim>
-NeighborList list_of(const Particles<Dim>& p, const Particles<Dim>& q, int group_size = max_group_size) {
-    return list_between<Dim>(p.position, p.h, q.position, q.h, group_size);
-}
-
-template <int Dim>
-std::size_t largest_group(const NeighborList& list) {
-    std::size_t n = 0;
-    for (std::size_t g = 0; g < list.groups(); ++g) n = std::max(n, list.candidates(g).size());
-    return n;
+NeighborList list_of(const Particles<Dim>& p, const Particles<Dim>& q) {
+    return list_between<Dim>(p.position, p.h, q.position, q.h);
 }
 
 template <int N>

@@ -1,6 +1,7 @@
 // Order of accuracy: gradients and divergences of fields whose derivatives are known.
 #include <numbers>
 
+#include "kernels/fluid_passes.hpp"
 #include "kernels/solid_passes.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
@@ -55,7 +56,7 @@ template <int Dim>
 TupleField<Dim * Dim> gradients(const Particles<Dim>& p, ScalarField* rate = nullptr) {
     ScalarField unused(p.size(), 0.0);
     auto l = zeros<Dim * Dim>(p.size());
-    solid_rates<Dim, double>(p.view(), list_of(p), rate ? *rate : unused, l);
+    solid_rates<Dim>(p.view(), list_of(p), Precision::full, rate ? *rate : unused, l);
     return l;
 }
 
@@ -92,7 +93,7 @@ TEMPLATE_TEST_CASE_SIG("a linear pressure accelerates by its gradient over the d
             p.pressure[i] = 4000 - 9810 * p.position[i][1] + 500 * p.position[i][0];
         p.derive();
         auto a = zeros<Dim>(p.size());
-        fluid_momentum<Dim, double>(p.view(), list_of(p), {}, a);
+        fluid_momentum<Dim>(p.view(), list_of(p), {}, Precision::full, a);
         Vec<Dim> expected;  // −∇p/ρ
         expected[0] = -0.5 * lattice_factor<Dim>(h_over_d);
         expected[1] = 9.81 * lattice_factor<Dim>(h_over_d);
@@ -111,7 +112,7 @@ TEMPLATE_TEST_CASE_SIG("a linear velocity changes the density by its divergence"
         const Tensor<Dim> l = some_gradient<Dim>();
         set_linear<Dim>(p, l);
         ScalarField fluid(p.size(), 0.0), solid(p.size(), 0.0);
-        continuity<Dim, double>(p.view(), list_of(p), fluid);
+        continuity<Dim>(p.view(), list_of(p), Precision::full, fluid);
         gradients(p, &solid);
         const double expected = -1000 * l.trace() * lattice_factor<Dim>(h_over_d);
         double worst = 0;
@@ -149,7 +150,7 @@ TEMPLATE_TEST_CASE_SIG("the consistent gradient of a linear field in single prec
     set_linear<Dim>(p, l);
     ScalarField rate(p.size(), 0.0);
     auto got = zeros<Dim * Dim>(p.size());
-    solid_rates<Dim, float>(p.view(), list_of(p), rate, got);
+    solid_rates<Dim>(p.view(), list_of(p), Precision::mixed, rate, got);
     double worst = 0;
     for (std::size_t i = 0; i < p.size(); ++i) worst = std::max(worst, (gradient_at<Dim>(got, i) - l).norm());
     // Velocities of up to 20 m/s, rounded to 1e-6, differ by 0.1 to 1 between neighbours.

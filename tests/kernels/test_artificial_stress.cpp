@@ -2,7 +2,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "kernels/smoothing.hpp"
 #include "kernels/terms/artificial_stress.hpp"
+#include "kernels/terms/tensile_correction.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/twins.hpp"
 
@@ -52,13 +54,11 @@ Tensor<Dim> random_rotation(Random& random) {
 /// What the pair term reads, with a tensor that lets f^q through.
 struct UnitPair {
     using Real = double;
-    using Vector = Vec<2>;
+    using Tensor = Vec<3>;
     double w;
     double shape() const { return w; }
-    double m_j() const { return 1; }
-    Vec<3> artificial_stress_i() const { return {{1, 1, 0}}; }
-    Vec<3> artificial_stress_j() const { return {}; }
-    Vec<2> grad_w() const { return {{1, 0}}; }
+    Tensor artificial_stress_i() const { return {{1, 1, 0}}; }
+    Tensor artificial_stress_j() const { return {}; }
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Artificial viscosity takes energy out and never puts it in; artificial stress pushes apart what is in tension.
+#include "kernels/fluid_passes.hpp"
 #include "kernels/solid_passes.hpp"
-#include "kernels/terms/artificial_stress.hpp"
+#include "kernels/terms/tensile_correction.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
@@ -9,12 +10,12 @@ using namespace sluice;
 namespace {
 
 /// Acceleration by viscosity alone.
-template <int Dim, class Real>
-VectorField<Dim> viscous_acceleration(Particles<Dim> p) {
+template <int Dim>
+VectorField<Dim> viscous_acceleration(Particles<Dim> p, const NeighborList& list, Precision precision) {
     std::fill(p.pressure.begin(), p.pressure.end(), 0.0);
     p.derive();
     auto a = zeros<Dim>(p.size());
-    fluid_momentum<Dim, Real>(p.view(), list_of(p), {1, 30}, a);
+    fluid_momentum<Dim>(p.view(), list, {1, 30}, precision, a);
     return a;
 }
 
@@ -27,24 +28,33 @@ double power(const Particles<Dim>& p, const VectorField<Dim>& a) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("viscosity does nothing to particles that part", "[dissipation]",
-                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
-    for (const Scene scene : {Scene::lattice, Scene::jittered, Scene::unequal}) {
-        auto p = make_scene<Dim>(scene);
+TEMPLATE_TEST_CASE_SIG("viscosity does nothing to particles that part", "[dissipation]", ((int Dim), Dim), 2, 3) {
+    in_all_scenes<Dim>(1, [](auto p, const NeighborList& list) {
         for (std::size_t i = 0; i < p.size(); ++i) p.velocity.set(i, 3.0 * p.position[i]);
-        CHECK(same_bits(viscous_acceleration<Dim, Real>(p), zeros<Dim>(p.size())));
-    }
+        in_all_variants([&](Precision precision) {
+            const auto a = viscous_acceleration<Dim>(p, list, precision);
+            // Where rounding decides who parts and who approaches, what is left is rounding: v is good to 1e-6 m/s, of
+            // a scene's 1 m/s.
+            const auto random = viscous_acceleration<Dim>(make_scene<Dim>(Scene::jittered), list, Precision::full);
+            double worst = 0, usual = 0;
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                worst = std::max(worst, norm(a[i]));
+                usual = std::max(usual, norm(random[i]));
+            }
+            CHECK(worst <= (precision == Precision::full ? 0 : 1e-5) * usual);
+        });
+    });
 }
 
 TEMPLATE_TEST_CASE_SIG("viscosity takes kinetic energy, for random velocities and for a compression", "[dissipation]",
-                       ((int Dim, class Real), Dim, Real), (2, double), (2, float), (3, double), (3, float)) {
-    for (const Scene scene : scenes) {
-        auto p = make_scene<Dim>(scene);
-        CAPTURE(static_cast<int>(scene));
-        CHECK(power(p, viscous_acceleration<Dim, Real>(p)) < 0);
+                       ((int Dim), Dim), 2, 3) {
+    in_all_scenes<Dim>(1, [](auto p, const NeighborList& list) {
+        in_all_variants(
+            [&](Precision precision) { CHECK(power(p, viscous_acceleration<Dim>(p, list, precision)) < 0); });
         for (std::size_t i = 0; i < p.size(); ++i) p.velocity.set(i, -1.0 * p.position[i]);
-        CHECK(power(p, viscous_acceleration<Dim, Real>(p)) < 0);
-    }
+        in_all_variants(
+            [&](Precision precision) { CHECK(power(p, viscous_acceleration<Dim>(p, list, precision)) < 0); });
+    });
 }
 
 TEMPLATE_TEST_CASE_SIG("two particles: viscosity brakes the approach, along the line only", "[dissipation]",
@@ -57,7 +67,7 @@ TEMPLATE_TEST_CASE_SIG("two particles: viscosity brakes the approach, along the 
     p.add({}, 0.1, 2, 1000);
     p.add(x, 0.1, 3, 1000);
     p.velocity.set(1, v);
-    const auto a = viscous_acceleration<Dim, double>(p);
+    const auto a = viscous_acceleration<Dim>(p, list_of(p), Precision::full);
     // Π = α c h (v·x/(r² + 0.01 h²))/ρ̄ with v·x = −0.1: 30 · 0.1 · (0.1/0.0101)/1000.
     const double pi = 30 * 0.1 * (0.1 / (0.01 + 0.01 * 0.01)) / 1000, slope = -twin::dw_dr(Dim, 0.1, 0.1);
     CHECK(a[1][0] == Approx(2 * pi * slope).epsilon(1e-13));  // some ten roundings, and 1/h³ or 1/h⁴ in another order
@@ -71,7 +81,7 @@ TEMPLATE_TEST_CASE_SIG("the fluid's filter takes kinetic energy", "[dissipation]
     Random random(3);
     for (std::size_t i = 0; i < p.size(); ++i) p.velocity.set(i, random.vector<Dim>(-1, 1));
     auto correction = zeros<Dim>(p.size());
-    velocity_filter<Dim, double>(p.view(), list_of(p), 0.92, correction);
+    velocity_filter<Dim>(p.view(), list_of(p), 0.92, Precision::full, correction);
     double before = 0, after = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         before += norm2(p.velocity[i]);
@@ -99,7 +109,7 @@ TEMPLATE_TEST_CASE_SIG("artificial stress pushes apart what is in tension and sp
         p.derive();
         const auto force = [&](double e) {
             auto a = zeros<Dim>(2);
-            solid_momentum<Dim, double>(p.view(), list_of(p), {0, 0, e, 4, 1.3}, a);
+            solid_momentum<Dim>(p.view(), list_of(p), {0, 0, e, 4, 1.3}, Precision::full, a);
             return a[1][0];
         };
         CAPTURE(sigma);

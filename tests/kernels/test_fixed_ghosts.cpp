@@ -1,4 +1,5 @@
 // Walls of fixed ghosts where the answer is known: uniform and hydrostatic pressure on flat layers.
+#include "kernels/fluid_passes.hpp"
 #include "kernels/wall_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
@@ -30,12 +31,12 @@ struct FlatWall {
     }
     void take_pressure(const Vec<Dim>& gravity) {
         fluid.derive();
-        fixed_ghost_pressure<Dim, double>(wall.view(), fluid.view(), wall_fluid, gravity, wall.pressure);
+        fixed_ghost_pressure<Dim>(wall.view(), fluid.view(), wall_fluid, gravity, Precision::full, wall.pressure);
     }
     VectorField<Dim> acceleration() {
         auto a = zeros<Dim>(fluid.size());
-        fluid_momentum<Dim, double>(fluid.view(), list_of(fluid), {}, a);
-        fixed_ghost_force<Dim, double>(fluid.view(), wall.view(), fluid_wall, a);
+        fluid_momentum<Dim>(fluid.view(), list_of(fluid), {}, Precision::full, a);
+        fixed_ghost_force<Dim>(fluid.view(), wall.view(), fluid_wall, Precision::full, a);
         return a;
     }
     /// Full support in fluid and wall together.
@@ -141,7 +142,7 @@ TEMPLATE_TEST_CASE_SIG("density rises by approach to a wall of ghosts, not by sl
             s.fluid.velocity.set(i, v);
         }
         ScalarField rate(s.fluid.size(), 0.0);
-        fixed_ghost_continuity<Dim, double>(s.fluid.view(), s.wall.view(), s.fluid_wall, rate);
+        fixed_ghost_continuity<Dim>(s.fluid.view(), s.wall.view(), s.fluid_wall, Precision::full, rate);
         return rate;
     };
     const ScalarField approach = rates(0, -1), parting = rates(0, 1), slip = rates(1, 0);

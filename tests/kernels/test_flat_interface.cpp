@@ -2,6 +2,7 @@
 // the wall, whatever the spacing of the elements.
 #include <map>
 
+#include "kernels/fluid_passes.hpp"
 #include "kernels/interface_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
@@ -50,7 +51,7 @@ struct FlatInterface {
             }
     }
     InterfaceResult<Dim> evaluate() {
-        return evaluate_interface<Dim, double>(elements, fluid, solid, {elements, fluid, solid});
+        return evaluate_interface<Dim>(elements, fluid, solid, {elements, fluid, solid});
     }
 };
 
@@ -124,7 +125,7 @@ TEMPLATE_TEST_CASE_SIG("a particle at the wall is driven from high pressure to l
                 if (norm2(s.fluid.position[b]) < norm2(s.fluid.position[near])) near = b;
             const auto vertical = [&] {
                 auto a = s.evaluate().fluid_acceleration;
-                fluid_momentum<Dim, double>(s.fluid.view(), list_of(s.fluid), {}, a);
+                fluid_momentum<Dim>(s.fluid.view(), list_of(s.fluid), {}, Precision::full, a);
                 return a[near];
             };
             const double at_rest = vertical()[1];

@@ -44,6 +44,17 @@ TEMPLATE_TEST_CASE_SIG("slope is the derivative of shape", "[smoothing]", ((int 
     CHECK(worst < 2e-10);
 }
 
+TEMPLATE_TEST_CASE_SIG("the slope is its constant times the reduced slope", "[smoothing]", ((int Dim), Dim), 2, 3) {
+    using W = CubicSpline<Dim>;
+    for (int n = 0; n <= 300; ++n) {
+        const double q = 0.01 * n;
+        CHECK(W::slope(q) == W::slope_scale * W::reduced_slope(q));
+        CHECK(W::sigma * W::slope_scale * W::reduced_slope(q) == Approx(twin::dw_dr(Dim, q, 1)).margin(1e-15));
+    }
+    CHECK(W::reduced_slope(0.0) == 0);  // what keeps a particle from acting on itself
+    CHECK(W::reduced_slope(0.0F) == 0);
+}
+
 TEMPLATE_TEST_CASE_SIG("W ends at 2h and its slope with it", "[smoothing]", ((int Dim, class Real), Dim, Real),
                        (2, double), (3, double), (2, float), (3, float)) {
     using W = CubicSpline<Dim>;

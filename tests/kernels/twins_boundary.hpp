@@ -1,50 +1,16 @@
-// Plain scalar twins of the passes at walls and at the interface.
+// A test of the passes at the interface: elements, lists, and one evaluation.
 #pragma once
 
 #include "kernels/interface_passes.hpp"
-#include "tests/kernels/twins.hpp"
-
-namespace sluice::twin {
-
-/// The two sums of a fixed ghost's pressure: Σ V W and Σ V (p_f + ρ_f g·(x_w − x_f)) W.
-template <int Dim>
-Sums<2> ghost_pressure_sums(const Particles<Dim>& wall, const Particles<Dim>& fluid, const Vec<Dim>& g) {
-    return sum_all<2>(wall, fluid, [&](std::size_t, std::size_t f, const PairOf<Dim>& wf) {
-        const double v_w = fluid.mass[f] / fluid.density[f] * wf.w;
-        double head = 0;
-        for (int k = 0; k < Dim; ++k) head += fluid.density[f] * g[k] * wf.x[k];
-        return Vec<2>{{v_w, v_w * (fluid.pressure[f] + head)}};
-    });
-}
-
-/// −1/ρ_i Σ V_j (p_i + p_j) ∇W
-template <int Dim>
-Sums<Dim> ghost_force(const Particles<Dim>& fluid, const Particles<Dim>& wall) {
-    return sum_all<Dim>(fluid, wall, [&](std::size_t i, std::size_t j, const PairOf<Dim>& ij) {
-        return -wall.volume[j] * (fluid.pressure[i] + wall.pressure[j]) / fluid.density[i] * ij.grad;
-    });
-}
-
-/// ρ_i Σ V_j v_i · ∇W
-template <int Dim>
-Sums<1> ghost_continuity(const Particles<Dim>& fluid, const Particles<Dim>& wall) {
-    return sum_all<1>(fluid, wall, [&](std::size_t i, std::size_t j, const PairOf<Dim>& ij) {
-        double sum = 0;
-        for (int k = 0; k < Dim; ++k) sum += fluid.density[i] * wall.volume[j] * fluid.velocity[i][k] * ij.grad[k];
-        return Vec<1>{{sum}};
-    });
-}
-
-}  // namespace sluice::twin
+#include "tests/kernels/twins_wall.hpp"
 
 namespace sluice {
 
 /// Interface elements of a test, and what the passes make of them.
 template <int Dim>
 struct Elements {
-    VectorField<Dim> position, area_normal, velocity, force;
-    ScalarField pressure, image_pressure, weight;
-    std::size_t owned = 0;
+    VectorField<Dim> position, area_normal, velocity, force, shared_force;
+    ScalarField pressure, weight, h;
 
     std::size_t size() const { return position.size(); }
     void add(const Vec<Dim>& x, const Vec<Dim>& normal_area) {
@@ -52,24 +18,35 @@ struct Elements {
         area_normal.push_back(normal_area);
         velocity.push_back({});
         force.push_back({});
-        for (ScalarField* column : {&pressure, &image_pressure, &weight}) column->push_back(0);
-        owned = position.size();
+        shared_force.push_back({});
+        for (ScalarField* column : {&pressure, &weight}) column->push_back(0);
+        h.push_back(1);  // whatever it is: the particles' own counts
     }
-    ElementView<Dim> view() const {
-        return {columns_of(position), columns_of(area_normal), columns_of(velocity), owned};
+    /// f_k = −p_k n_k ΔΓ_k, or what a test sets, divided by the weight.
+    void share_forces() {
+        for (std::size_t k = 0; k < size(); ++k) shared_force.set(k, (1 / weight[k]) * force[k]);
+    }
+    ParticleView<Dim> view() const {
+        ParticleView<Dim> v;
+        v.position = columns_of(position);
+        v.velocity = columns_of(velocity);
+        v.smoothing_length = h.data();
+        v.area_normal = columns_of(area_normal);
+        v.shared_force = columns_of(shared_force);
+        return v;
     }
 };
 
-/// The four lists between elements and particles, all with groups of one.
+/// The four lists between elements and particles.
 template <int Dim>
 struct InterfaceLists {
     NeighborList element_fluid, fluid_element, element_solid, solid_element;
 
     InterfaceLists(const Elements<Dim>& e, const Particles<Dim>& fluid, const Particles<Dim>& solid)
-        : element_fluid(list_between<Dim>(e.position, {}, fluid.position, fluid.h, 1)),
-          fluid_element(list_between<Dim>(fluid.position, fluid.h, e.position, {}, 1)),
-          element_solid(list_between<Dim>(e.position, {}, solid.position, solid.h, 1)),
-          solid_element(list_between<Dim>(solid.position, solid.h, e.position, {}, 1)) {}
+        : element_fluid(list_between<Dim>(e.position, {}, fluid.position, fluid.h)),
+          fluid_element(list_between<Dim>(fluid.position, fluid.h, e.position, {})),
+          element_solid(list_between<Dim>(e.position, {}, solid.position, solid.h)),
+          solid_element(list_between<Dim>(solid.position, solid.h, e.position, {})) {}
 };
 
 /// Accelerations and density rates that the interface causes.
@@ -81,18 +58,21 @@ struct InterfaceResult {
 };
 
 /// One evaluation, in the engine's order: pressure (a), weights and v_k, f_k = −p_k n ΔΓ, (b), (c), (d).
-template <int Dim, class Real>
+template <int Dim>
 InterfaceResult<Dim> evaluate_interface(Elements<Dim>& e, const Particles<Dim>& fluid, const Particles<Dim>& solid,
                                         const InterfaceLists<Dim>& lists) {
     InterfaceResult<Dim> r{zeros<Dim>(solid.size()), zeros<Dim>(fluid.size()), ScalarField(fluid.size(), 0.0), {}, {}};
-    interface_pressure<Dim, Real>(e.view(), fluid.view(), fluid.size(), lists.element_fluid, e.pressure,
-                                  e.image_pressure);
-    interface_weights<Dim, Real>(e.view(), solid.view(), lists.element_solid, e.weight, e.velocity);
+    std::fill(e.pressure.begin(), e.pressure.end(), 0.0);
+    add_interface_pressure<Dim>(e.view(), fluid.view(), lists.element_fluid, e.pressure);
+    interface_weights<Dim>(e.view(), solid.view(), lists.element_solid, e.weight, e.velocity);
     for (std::size_t k = 0; k < e.size(); ++k) e.force.set(k, -e.pressure[k] * e.area_normal[k]);
-    r.on_solid = interface_force_on_solid<Dim, Real>(solid.view(), e.view(), lists.solid_element, e.weight, e.force,
-                                                     r.solid_acceleration);
-    r.on_fluid = interface_force_on_fluid<Dim, Real>(fluid.view(), e.view(), lists.fluid_element, r.fluid_acceleration);
-    interface_continuity<Dim, Real>(fluid.view(), e.view(), lists.fluid_element, r.density_rate);
+    e.share_forces();
+    BlockTotals<Dim> totals;
+    r.on_solid = interface_force_on_solid<Dim>(solid.view(), e.view(), lists.solid_element, totals,
+                                               r.solid_acceleration);
+    r.on_fluid = add_interface_force_on_fluid<Dim>(fluid.view(), e.view(), lists.fluid_element, totals,
+                                                   r.fluid_acceleration);
+    add_interface_continuity<Dim>(fluid.view(), e.view(), lists.fluid_element, r.density_rate);
     return r;
 }
 

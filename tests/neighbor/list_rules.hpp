@@ -104,13 +104,14 @@ class ListReader {
 
     std::string broken_rule_of(const ListView::Block& block, Index q) const {
         std::vector<char> covered(targets_, 0);
-        bool equal = true;
+        bool equal = true, all_near = true;
         const auto own = queries(q);
         const double reach = case_.queries().reach[own[0]];
         for (const Index i : own) equal = equal && case_.queries().reach[i] == reach;
         for (Index p = block.parts.begin; p < block.parts.end; ++p) {
             const ListView::Row& row = row_of(block, p, q);
             if (row.near > row.listed) return "the near entries are among the listed";
+            all_near = all_near && row.near == row.listed;
             for (std::uint32_t e = 0; e < row.near; ++e) {
                 const std::uint8_t entry = view_.entry[row.begin + e];
                 if (entry >= view_.part[p].candidates.size()) return "entries are numbers of candidates";
@@ -122,6 +123,7 @@ class ListReader {
             }
         }
         if (view_.equal_reach[q] && !equal) return "equal_reach holds for a cluster and its candidates";
+        if (all_near && equal && !view_.equal_reach[q]) return "a cluster of one reach with its candidates is told so";
         for (const Index i : own)
             for (std::size_t j = 0; j < targets_; ++j)
                 if (is_pair_[i * targets_ + j] && !covered[j]) return "a cluster's row holds all partners";

@@ -46,9 +46,11 @@ struct SearchGrids {
     SearchGrids& operator=(const SearchGrids&) = delete;
 };
 
-/// A case's list, not pruned yet.
+/// A case's list, not pruned yet. One thread unless threads are what is tested: a team waits for processors that other
+/// programs use.
 template <int Dim>
-NeighborList build(const SearchCase<Dim>& c) {
+NeighborList build(const SearchCase<Dim>& c, int threads = 1) {
+    const ThreadScope scope(threads);
     const SearchGrids<Dim> grids(c);
     NeighborList list;
     NeighborSearch<Dim>().build(grids.owned, grids.targets, c.cut, list);
@@ -56,9 +58,16 @@ NeighborList build(const SearchCase<Dim>& c) {
 }
 
 template <int Dim>
-NeighborList search(const SearchCase<Dim>& c) {
-    NeighborList list = build(c);
-    NeighborSearch<Dim>().prune(c.queries(), c.targets(), c.cut, list);
+void prune(const SearchCase<Dim>& c, const CutOff& cut, NeighborList& list, int threads = 1) {
+    const ThreadScope scope(threads);
+    NeighborSearch<Dim>().prune(c.queries(), c.targets(), cut, list);
+}
+
+/// A case's list, pruned to the cut-off that it was built for.
+template <int Dim>
+NeighborList search(const SearchCase<Dim>& c, int threads = 1) {
+    NeighborList list = build(c, threads);
+    prune(c, c.cut, list, threads);
     return list;
 }
 

@@ -181,8 +181,8 @@ TEMPLATE_TEST_CASE_SIG("the cells near a box hold every particle within its reac
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("a position that is not a number is kept, and moves no other", "[cell_grid]", ((int Dim), Dim), 2,
-                       3) {
+TEMPLATE_TEST_CASE_SIG("a position that is not a number is kept, and moves no other", "[cell_grid]", ((int Dim), Dim),
+                       2, 3) {
     Random random(8);
     const auto x = random_cloud<Dim>(1000, 1, random);
     auto broken = x;

@@ -307,8 +307,7 @@ TEMPLATE_TEST_CASE_SIG("a cluster with a position that is not a number is measur
                        ((int Dim), Dim), 2, 3) {
     Random random(8);
     Points<Dim> p = points_of(random_cloud<Dim>(2000, 0.5, random), random);
-    for (std::size_t i = 0; i < p.size(); i += 37)
-        p.x.c[i % Dim][i] = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < p.size(); i += 37) p.x.c[i % Dim][i] = std::numeric_limits<double>::quiet_NaN();
     ClusterGrid<Dim> grid;
     grid.build(p.x, 0, p.size(), 0.1, p.h);
     CHECK(broken_rule(grid, p, 0, p.size(), 0.1) == "");
