@@ -20,9 +20,21 @@ inline constexpr std::size_t light_threshold = 2048;
 /// body(i) for every i in [0, n), a few operations each; iterations must not depend on each other.
 template <class Body>
 void parallel_for(std::size_t n, Body&& body) {
-    const auto count = static_cast<std::int64_t>(n);
-#pragma omp parallel for schedule(static) if (n > light_threshold)
-    for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
+    const auto run = [&body](std::size_t begin, std::size_t end) {
+#if defined(__clang__)
+#pragma clang loop vectorize(assume_safety)
+#else
+#pragma GCC ivdep
+#endif
+        for (std::size_t i = begin; i < end; ++i) body(i);
+    };
+    if (n <= light_threshold) return run(0, n);
+#pragma omp parallel
+    {
+        const auto t = static_cast<std::size_t>(omp_get_thread_num());
+        const auto threads = static_cast<std::size_t>(omp_get_num_threads());
+        run(n * t / threads, n * (t + 1) / threads);
+    }
 }
 
 /// The same for bodies worth a microsecond or more each, of unequal cost.

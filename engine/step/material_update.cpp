@@ -60,11 +60,11 @@ void update_solid_stress(State<Dim>& state, double artificial_stress) {
 }
 
 template <int Dim>
-void finish_fluid_step(State<Dim>& state, double dt) {
+double finish_fluid_step(State<Dim>& state, double dt) {
     auto& fluid = state.fluid;
-    if (fluid.owned == 0) return;
+    if (fluid.owned == 0) return 0;
     const LinearEquationOfState eos = state.water->eos;
-    parallel_for(fluid.owned, [&](std::size_t i) {
+    return std::sqrt(nonnegative_max(fluid.owned, [&](std::size_t i) {
         advance_position_and_density(fluid, dt, i);
         for (const MirrorPlane<Dim>& plane : state.mirrors) {
             if (plane.distance(fluid.position[i]) >= 0) continue;
@@ -72,27 +72,29 @@ void finish_fluid_step(State<Dim>& state, double dt) {
             fluid.velocity.set(i, plane.reflect_direction(fluid.velocity[i]));
         }
         set_fluid_pressure(fluid, eos, i);
-    });
+        return norm2(fluid.velocity[i]);
+    }));
 }
 
 template <int Dim>
-void finish_solid_step(State<Dim>& state, double artificial_stress, double dt) {
+double finish_solid_step(State<Dim>& state, double artificial_stress, double dt) {
     auto& solid = state.solid;
-    if (solid.owned == 0) return;
+    if (solid.owned == 0) return 0;
     const LinearEquationOfState eos = state.rubber->eos;
     const double mu = state.rubber->shear_modulus;
-    parallel_for(solid.owned, [&](std::size_t i) {
+    return std::sqrt(nonnegative_max(solid.owned, [&](std::size_t i) {
         advance_position_and_density(solid, dt, i);
         advance_stress(solid, mu, dt, i);
         set_solid_stress(solid, eos, artificial_stress, i);
-    });
+        return norm2(solid.velocity[i]);
+    }));
 }
 
 #define SLUICE_INSTANTIATE(Dim)                                  \
     template void update_fluid_pressure<Dim>(State<Dim>&);       \
     template void update_solid_stress<Dim>(State<Dim>&, double); \
-    template void finish_fluid_step<Dim>(State<Dim>&, double);   \
-    template void finish_solid_step<Dim>(State<Dim>&, double, double);
+    template double finish_fluid_step<Dim>(State<Dim>&, double);   \
+    template double finish_solid_step<Dim>(State<Dim>&, double, double);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

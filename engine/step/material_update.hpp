@@ -14,13 +14,14 @@ template <int Dim>
 void update_solid_stress(State<Dim>& state, double artificial_stress);
 
 /// The second half of a fluid's step: x += v Δt/2, ρ += dρ/dt Δt, then p and p/ρ². A particle that slipped through a
-/// mirror plane changes places with its image, which is the same state.
+/// mirror plane changes places with its image, which is the same state. Returns the highest speed [m/s]; NaN if a
+/// velocity is not finite.
 template <int Dim>
-void finish_fluid_step(State<Dim>& state, double dt);
+double finish_fluid_step(State<Dim>& state, double dt);
 
 /// The second half of a solid's step: x += v Δt/2, ρ += dρ/dt Δt, S over the step's velocity gradient
-/// (kernels/terms/jaumann.hpp), then as update_solid_stress().
+/// (kernels/terms/jaumann.hpp), then as update_solid_stress(). Returns the highest speed likewise.
 template <int Dim>
-void finish_solid_step(State<Dim>& state, double artificial_stress, double dt);
+double finish_solid_step(State<Dim>& state, double artificial_stress, double dt);
 
 }  // namespace sluice

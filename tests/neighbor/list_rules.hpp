@@ -138,12 +138,21 @@ class ListReader {
     std::vector<int> listed_;
 };
 
-/// The first broken rule of a list that has been pruned to a cut-off, by name, or "".
+/// The first broken rule of a list that has been pruned to a cut-off for the first time, by name, or "".
 template <int Dim>
 std::string broken_rule(const SearchCase<Dim>& c, const NeighborList& list, const CutOff& within) {
     ListReader<Dim> reader(c, list, within);
     const auto rule = reader.broken_rule();
     return rule.empty() ? reader.broken_rule_of_pruning() : rule;
+}
+
+/// The same of a list that has been pruned again: in single precision, to a hair more than was asked for.
+template <int Dim>
+std::string broken_rule_when_pruned_again(const SearchCase<Dim>& c, const NeighborList& list, const CutOff& within) {
+    const auto rule = ListReader<Dim>(c, list, within).broken_rule();
+    constexpr double hair = 1 + 2e-5;  // 1e-5 on purpose, the rest for rounding
+    const CutOff wider{hair * within.skin, hair * within.query_scale, hair * within.target_scale};
+    return rule.empty() ? ListReader<Dim>(c, list, wider).broken_rule_of_pruning() : rule;
 }
 
 /// All that a pruned list says, number by number.

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The gate at 4, 6 and 8 particles across: tip against experiment, paper and later codes, noise and cost.
+"""The gate at 4, 6 and 8 particles across: tip against experiment, paper and later codes, noise and cost; and at 6 in
+both precisions, with one rate for both media and with a rate of its own for each.
 
 Writes results.md beside this file. Runs that are done are not run again.
 """
@@ -21,6 +22,8 @@ from lib.run_output import RunOutput  # noqa: E402
 
 THICKNESS = 0.005
 ACROSS = (4, 6, 8)
+REFERENCE_ACROSS = 6
+VARIANTS = [(precision, rate) for precision in ("double", "mixed") for rate in ("single-rate", "multi-rate")]
 TIMES = (0.04, 0.08, 0.12, 0.16, 0.20, 0.24, 0.28, 0.32, 0.36)
 
 
@@ -37,12 +40,20 @@ def main():
         settings = {"method.spacing": f"{THICKNESS / across:.10g}"}
         runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
         results.append((across, RunOutput(folder)))
-    text = report(results, reference)
+    variants = [(precision, rate, RunOutput(variant(options, precision, rate))) for precision, rate in VARIANTS]
+    text = report(results, variants, reference)
     (CASE / "results.md").write_text(text)
     print(text)
 
 
-def report(results, reference):
+def variant(options, precision, rate):
+    folder = options.folder / f"{precision}_{rate}"
+    settings = {"method.precision": precision, "method.time_stepping": rate}
+    runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
+    return folder
+
+
+def report(results, variants, reference):
     mean = compare.experiment_mean(reference)
     parts = ["# Elastic gate: results\n\nWritten by `validation/elastic_gate/sweep.py`. Free end, x away from the tank "
              "and y upwards, in mm.\n"]
@@ -50,6 +61,9 @@ def report(results, reference):
     parts.append("## Vertical displacement\n\n" + curve_table(results, reference, mean, "y"))
     parts.append("## Distance to each source, RMS over 0.04 to 0.36 s\n\n" + distance_table(results, reference, mean))
     parts.append("## Run\n\n" + run_table(results))
+    parts.append("## Precision and time stepping\n\n"
+                 f"At d = s/{REFERENCE_ACROSS}; distances to double precision at one rate, over the whole run.\n\n" +
+                 variant_table(variants))
     return "\n".join(parts)
 
 
@@ -91,6 +105,23 @@ def run_table(results):
     return table(["", "particles", "steps", "CPU [s]", "fastest water [m/s]", "momentum residual",
                   "pressure noise at the gate [Pa RMS]", "fluid pairs closer than 0.5 d [%]",
                   "film above the level at 0.2 / 0.4 s [mm]", "inside", "behind", "gone through"], rows)
+
+
+def variant_table(variants):
+    base = variants[0][2]
+    rows = []
+    for precision, rate, run in variants:
+        s = run.summary
+        apart = np.hypot(*[np.interp(base.time, run.time, run.probe(f"free_end.{c}")) - base.probe(f"free_end.{c}")
+                           for c in "xy"])
+        x = run.probe("free_end.x")
+        noise = rms(faster_than(run.time, run.probe("gate_pressure.p"), compare.NOISE_PERIOD))
+        lost = s["energy"]["initial"]["total"] - s["energy"]["final"]["total"]
+        rows.append([f"{precision}, {rate}", s["steps"], s["solid_substeps"], number(s["cpu_seconds"], 1),
+                     f"{1e3 * x.max():.2f} at {run.time[x.argmax()]:.3f} s", f"{1e3 * apart.max():.2g}",
+                     f"{1e3 * rms(apart):.2g}", f"{s['momentum_residual']:.0e}", number(noise, 0), number(lost, 3)])
+    return table(["", "steps", "solid steps in each", "CPU [s]", "peak x [mm]", "tip, largest distance [mm]", "RMS [mm]",
+                  "momentum residual", "noise at the gate [Pa RMS]", "energy lost [J/m]"], rows)
 
 
 if __name__ == "__main__":
