@@ -43,6 +43,7 @@ expect 2 "SCENE is required" "$program" run
 expect 2 "--threads" "$program" run "$gate" --threads 0
 expect 2 "--threads" "$program" run "$gate" --threads many
 expect 2 "--until" "$program" run "$gate" --until -1
+expect 2 "avx9 not in {baseline" "$program" run "$gate" --isa avx9
 expect 2 "sluice: error: missing.toml" "$program" run missing.toml
 expect 2 "spacign" "$program" run "$gate" --set method.spacign=0.01
 expect 2 "sluice: error: " "$program" check "$gate" --set method.spacing=-1
@@ -55,6 +56,9 @@ expect 0 "tip.x [m]" "$program" check "$gate"
 
 expect 0 "particle-steps/s" "$program" run "$gate"
 holds '"status": "done"' results/small_gate/summary.json
+expect 0 "baseline, mixed precision" "$program" run "$gate" -o plain --isa baseline --set method.precision=mixed
+holds '"instruction_set": "baseline"' plain/summary.json
+expect 0 "of the solid in each" "$program" run "$gate" -o rates --set method.time_stepping=multi-rate
 mkdir tank && cp "$scenes/still_water_3d.toml" tank/scene.toml
 expect 0 "results in results/tank" "$program" run tank/scene.toml --until 0.001 --set 'title="Mine"'
 holds 'Mine' results/tank/scene.toml

@@ -1,8 +1,10 @@
 // Each medium at its own rate: what it must share with the single-rate scheme, and what it must keep.
 #include <fmt/format.h>
 
+#include "neighbor/isa.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
+#include "tests/neighbor/clouds.hpp"
 
 namespace sluice {
 namespace {
@@ -124,6 +126,28 @@ TEST_CASE("Mixed precision keeps the interface's balance, and momentum to single
     REQUIRE(simulation.interface_balance().residual < 1e-12);
     WARN(norm(simulation.momentum() - before) / norm(before));
     REQUIRE(norm(simulation.momentum() - before) < 1e-6 * norm(before));
+}
+
+TEST_CASE("Every instruction set computes the same motion, and each the same bits on any number of threads") {
+    const std::string precision = GENERATE("double", "mixed");
+    std::vector<double> deflection;
+    for (const Isa isa : available_isas()) {
+        use_isa(name_of(isa));
+        std::vector<VectorField<2>> position;
+        for (const int threads : {1, 2, 3}) {
+            const ThreadScope scope(threads);
+            Simulation<2> simulation(scene_text::load(gate(), {multi_rate[0], "method.precision=" + precision}));
+            advance(simulation, 60);
+            position.push_back(simulation.fluid().position);
+            if (threads == 1) deflection.push_back(mean_deflection(simulation));
+        }
+        CAPTURE(name_of(isa));
+        CHECK(position[1].c == position[0].c);
+        CHECK(position[2].c == position[0].c);
+    }
+    use_isa(name_of(available_isas().back()));
+    for (const double d : deflection)
+        CHECK(d == Approx(deflection[0]).epsilon(precision == "mixed" ? 1e-4 : 1e-9));
 }
 
 }  // namespace sluice
