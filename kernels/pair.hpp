@@ -55,7 +55,7 @@ struct Pair {
     /// m_j W_ij
     SLUICE_GETTER Real m_w() const { return (scale * m_j()) * shape(); }
     /// ∇_i W_ij / x_ij, a scalar: (1/r) dW/dr
-    SLUICE_GETTER Real grad_w_over_x() const { return slope_scale * inverse_r * Smoothing::reduced_slope(q()); }
+    SLUICE_GETTER Real grad_w_over_x() const { return slope_scale * (inverse_r * Smoothing::reduced_slope(q())); }
     /// m_j ∇_i W_ij / x_ij
     SLUICE_GETTER Real m_grad_w_over_x() const {
         return ((slope_scale * m_j()) * inverse_r) * Smoothing::reduced_slope(q());

@@ -11,6 +11,9 @@
 
 namespace sluice {
 
+/// Below this many pairs of clusters, some ten microseconds of work, the calling thread does it alone.
+inline constexpr std::uint64_t parallel_cluster_pairs = 256;
+
 /// store(block, i, Σ_j pass(ij)) for every listed particle. Blocks are dealt out by work. Returns the directed pairs
 /// inside the support.
 template <class Pass, class Store>
@@ -18,7 +21,7 @@ std::uint64_t sum_pairs_by_block(const Pass& pass, Precision precision, const Pa
                                  const ParticleView<Pass::dim>& b, const NeighborList& list, const Store& store) {
     const BlockLoop<Pass> loop = block_loop<Pass>(precision);
     const BlockTask<Pass::dim> task{a, b, list.view()};
-#pragma omp parallel if (list.size() > parallel_threshold)
+#pragma omp parallel if (list.cluster_pairs() > parallel_cluster_pairs)
     {
         double sums[block_particles * Pass::outputs];
         const Range share = list.share(omp_get_thread_num(), omp_get_num_threads());

@@ -7,8 +7,8 @@
 
 namespace sluice {
 
-/// For each of the first `owned` queries, the ascending indices of the targets within the cut-off. If both sets have the
-/// same position field, a particle is not its own neighbour.
+/// For each of the first `owned` queries, the ascending indices of the targets within the cut-off. If both sets have
+/// the same position field, a particle is not its own neighbour.
 template <int Dim>
 std::vector<std::vector<Index>> all_pairs(const typename NeighborSearch<Dim>::Set& query, std::size_t owned,
                                           const typename NeighborSearch<Dim>::Set& target, const CutOff& cut) {

@@ -260,7 +260,8 @@ void NeighborSearch<Dim>::prune(const Set& query, const Set& target, const CutOf
     }
     for (std::size_t b = 1; b < list.blocks(); ++b) list.work_[b] += list.work_[b - 1];
     const bool same_set = &query.position == &target.position;
-    if (task.count) list.pairs_ = pairs - (same_set ? list.size() : 0);  // each found itself
+    const std::uint64_t themselves = same_set ? list.size() : 0;  // each found itself, if its position is a number
+    if (task.count) list.pairs_ = pairs > themselves ? pairs - themselves : 0;
     list.counted_ = true;
 }
 

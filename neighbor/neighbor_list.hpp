@@ -142,12 +142,13 @@ class NeighborSearch {
     /// Particles, each with its share of a pair's cut-off, and the grids over parts of them.
     struct Set {
         const VectorField<Dim>& position;
-        std::span<const double> reach;
+        std::span<const double> reach;  ///< of every particle
     };
 
     /// Lists what the target grids hold near the query grid's clusters, and perhaps a little more: distances are those
-    /// of boxes. Clusters stand in the query grid's order, candidates in the target grids', whatever the number of
-    /// threads. If both sets have the same position field, a particle is among its own candidates. Prune before use.
+    /// of boxes. Clusters stand in the query grid's order, candidates cell by cell, whatever the number of threads. If both
+    /// sets have the same position field, the target grids must hold the queries: a particle is then among its own
+    /// candidates. Prune before use.
     void build(const ClusterGrid<Dim>& query, std::span<const ClusterGrid<Dim>* const> targets, const CutOff& cut,
                NeighborList& list);
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "engine/command/commands.hpp"
-#include "engine/command/short_waits.hpp"
 #include "engine/output/version.hpp"
 
 namespace {
@@ -23,7 +22,6 @@ Exit codes: 0 done, 1 numerical failure, 2 bad input, 3 output failed, 130 inter
 }  // namespace
 
 int main(int argc, char** argv) {
-    sluice::use_short_waits(argv);
     // A file beyond the shell's size limit is then an ordinary write error with a message, not a silent death.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App program("Water against elastic structures by smoothed particle hydrodynamics.", "sluice");

@@ -7,6 +7,7 @@
 
 #include "engine/command/commands.hpp"
 #include "engine/command/scene_options.hpp"
+#include "engine/command/thread_settings.hpp"
 #include "engine/run.hpp"
 #include "neighbor/isa.hpp"
 
@@ -39,6 +40,7 @@ std::filesystem::path default_directory(const std::string& scene_file) {
 }
 
 ExitCode run_scene(const RunArguments& arguments) {
+    use_thread_settings(arguments.threads);
     if (!arguments.isa.empty()) use_isa(arguments.isa);
     const Scene scene = load_scene(arguments.scene.file, arguments.scene.overrides);
     std::filesystem::path directory = arguments.directory;
