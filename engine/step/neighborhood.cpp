@@ -12,7 +12,7 @@ namespace {
 
 /// Skin over the smallest smoothing length of its medium. A thicker skin means fewer builds but more to prune; the
 /// optimum is flat.
-constexpr double skin_over_h = 0.5;
+constexpr double skin_over_h = 0.8;
 
 /// Particles in a full cell: 8² or 4³.
 constexpr double cell_particles = 64;
