@@ -181,8 +181,7 @@ TEST_CASE("choices and names suggest the nearest", "[scene]") {
     CHECK(gate_error("preset = \"paper\"", "preset = \"new\"") ==
           "6: method.preset: found \"new\", expected \"paper\"");
     CHECK(gate_error("courant = 0.5", "time_stepping = \"multi\"") ==
-          "8: method.time_stepping: found \"multi\", expected one of \"single-rate\", \"multi-rate\"; did you mean "
-          "\"multi-rate\"?");
+          "8: method.time_stepping: found \"multi\", expected one of \"single-rate\", \"multi-rate\"");
     CHECK(gate_error("courant = 0.5", "precision = \"single\"") ==
           "8: method.precision: found \"single\", expected one of \"double\", \"mixed\"");
     CHECK_THAT(gate_error("kind = \"energy\"", "kind = \"enregy\""),
