@@ -17,44 +17,6 @@
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
-namespace {
-
-/// Courant limits of the media present: dt = courant · h / c0 with each medium's smallest h.
-template <int Dim>
-std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state) {
-    std::vector<CourantLimit> limits;
-    const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium) {
-        if (!medium) return;
-        const auto& h = phase.smoothing_length;
-        limits.push_back(
-            {medium->name, scene.method.courant * *std::min_element(h.begin(), h.end()) / medium->eos.sound_speed});
-    };
-    add(state.fluid, state.water);
-    add(state.solid, state.rubber);
-    return limits;
-}
-
-/// The step of all media together, and how many sub-steps of the solid there are in it.
-struct StepPlan {
-    double dt = 0;     ///< [s]
-    int substeps = 1;  ///< of the solid
-    double single_rate_steps = 1;  ///< how many steps of the single-rate scheme it takes the place of
-};
-
-/// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
-/// limit asks for. A step that the scene sets is taken as it is, and cut likewise.
-StepPlan plan_steps(const Scene& scene, const std::vector<CourantLimit>& limits, bool both_media) {
-    const auto least =
-        std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.dt < b.dt; });
-    const bool multi_rate = scene.method.multi_rate && both_media;
-    const double dt = scene.method.time_step.value_or(multi_rate ? limits.front().dt : least->dt);
-    if (!multi_rate) return {dt};
-    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / limits.back().dt * (1 - 1e-12))));
-    return {dt, substeps, std::max(1.0, dt / least->dt)};
-}
-
-}  // namespace
-
 template <int Dim>
 struct Simulation<Dim>::Impl {
     explicit Impl(const Scene& s)
@@ -85,8 +47,8 @@ struct Simulation<Dim>::Impl {
     ///
     /// With more than one sub-step the solid goes through the step at its own rate under the interface's force of
     /// time n; the fluid's continuity then sees the solid's mean velocity over the step, at its place half-way. So both
-    /// sides exchange the same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs to the
-    /// motion that the fluid sees. With one sub-step this is the paper's scheme.
+    /// sides exchange the same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs to
+    /// the motion that the fluid sees. With one sub-step this is the paper's scheme.
     void step() {
         update_neighbors();
         fluid_forces();
@@ -229,11 +191,11 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::filter_pass);
         auto& fluid = state.fluid;
         neighbors.refresh_fluid_velocities();
-        // Eq. (16) acts once per step of the paper's scheme, and what it dissipates in a given time depends on how often
-        // that is: a longer step takes as many of them at once.
+        // Eq. (16) acts once per step of the paper's scheme, and what it dissipates in a given time depends on how
+        // often that is: a longer step takes as many of them at once.
         const double theta = std::pow(scene.method.fluid.velocity_filter, plan.single_rate_steps);
-        pairs += velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, theta, precision,
-                                      fluid.velocity_correction);
+        pairs +=
+            velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, theta, precision, fluid.velocity_correction);
     }
 
     /// With the filter's correction of the velocity first, in one go through memory.

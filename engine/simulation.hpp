@@ -11,14 +11,9 @@
 #include "engine/state/phases.hpp"
 #include "engine/step/energy_balance.hpp"
 #include "engine/step/phase_timer.hpp"
+#include "engine/step/step_plan.hpp"
 
 namespace sluice {
-
-/// The largest stable step of one medium.
-struct CourantLimit {
-    std::string medium;  ///< material's name
-    double dt = 0;       ///< courant · h / c0 [s]
-};
 
 /// What a run has cost so far, apart from time.
 struct WorkCount {

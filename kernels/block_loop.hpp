@@ -26,9 +26,9 @@ inline constexpr std::size_t block_particles = block_size * cluster_size;
 //   operator()(pair) → Vec<outputs, Real>
 //
 // sum_block: sums[(cluster · outputs + k) · 4 + lane] = Σ_j pass(ij)[k] for the block's particles.
-#define SLUICE_DECLARE_LOOP(level)                                                                          \
-    namespace level {                                                                                       \
-    template <class Pass, class Number>                                                                     \
+#define SLUICE_DECLARE_LOOP(level)                                                                                  \
+    namespace level {                                                                                               \
+    template <class Pass, class Number>                                                                             \
     void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, const Pass& pass, double* sums); \
     }
 SLUICE_DECLARE_LOOP(baseline)

@@ -2,8 +2,8 @@
 // have the same bits for any number of threads.
 //
 // A block's candidates are gathered once into a tile. Each of its clusters then meets the clusters of its row: a
-// register holds up to four of the row's particles times as many of its own as fit, so that 16 pairs are computed in one
-// to eight operations, without a branch and without indirection. Pairs outside the support add zero.
+// register holds up to four of the row's particles times as many of its own as fit, so that 16 pairs are computed in
+// one to eight operations, without a branch and without indirection. Pairs outside the support add zero.
 //
 // Only for files that are compiled once per instruction set; they instantiate sum_block for each pass and number type.
 #pragma once
@@ -50,8 +50,8 @@ SLUICE_INLINE void sum_row(const Pass& pass, const SideI& self, const FourJ* til
             const Real inverse_h = OwnH ? own_inverse_h : reciprocal(h);
             const Real scale = OwnH ? own_scale : kernel_scale<Smoothing, dim>(inverse_h);
             const Real slope_scale = OwnH ? own_slope_scale : Real(Smoothing::slope_scale) * scale * inverse_h;
-            const Pair<dim, Smoothing, SideI, SideJ> pair{
-                self, other, x_ij, r2, inverse_sqrt(r2), h, inverse_h, scale, slope_scale};
+            const Pair<dim, Smoothing, SideI, SideJ> pair{self, other,     x_ij,  r2,         inverse_sqrt(r2),
+                                                          h,    inverse_h, scale, slope_scale};
             const Vec<Pass::outputs, Real> value = pass(pair);
             unroll<Pass::outputs>([&](int k) __attribute__((always_inline)) { sum[k] += value[k]; });
         }
@@ -74,8 +74,7 @@ void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, c
     const ListedCluster& first = list.query[block.queries.begin];
     const Index somewhere = first.in_sequence ? first.first : list.query_index[first.first];
     double origin_i[FourI::Slot::count] = {}, origin_j[FourJ::Slot::count] = {};
-    for (int k = 0; k < dim; ++k)
-        origin_i[k] = origin_j[k] = task.a.position[static_cast<std::size_t>(k)][somewhere];
+    for (int k = 0; k < dim; ++k) origin_i[k] = origin_j[k] = task.a.position[static_cast<std::size_t>(k)][somewhere];
 
     const Index queries = block.queries.end - block.queries.begin;
     for (Index s = 0; s < queries * 4 * outputs; ++s) sums[s] = 0;
@@ -110,7 +109,7 @@ void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, c
 }
 
 /// For the files that compile loops: the loop of one pass for one number type.
-#define SLUICE_INSTANTIATE_PASS(Number, ...) \
+#define SLUICE_INSTANTIATE_PASS(Number, ...)                                                                 \
     template void sum_block<__VA_ARGS__, Number>(const BlockTask<__VA_ARGS__::dim>&, const ListView::Block&, \
                                                  const __VA_ARGS__&, double*);
 

@@ -47,7 +47,8 @@ template <std::size_t N>
 /// only those of the pack's terms are gathered.
 namespace column {
 inline constexpr unsigned velocity = 1, mass = 2, volume = 4, density = 8, pressure = 16, pressure_over_rho2 = 32,
-                          stress_over_rho2 = 64, artificial_stress = 128, area_normal = 256, shared_force = 512, all = 1023;
+                          stress_over_rho2 = 64, artificial_stress = 128, area_normal = 256, shared_force = 512,
+                          all = 1023;
 }
 
 /// Where the gathered columns stand: position, smoothing length, then those of `Reads` in the order of their bits.

@@ -44,15 +44,14 @@ std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const Neighbor
     });
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                                                                  \
-    template std::uint64_t fluid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&, \
-                                               Precision, VectorField<Dim>&);                                    \
-    template std::uint64_t continuity<Dim>(const ParticleView<Dim>&, const NeighborList&, Precision,             \
-                                           ScalarField&);                                                        \
-    template std::uint64_t fluid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&,    \
-                                            Precision, VectorField<Dim>&, ScalarField&);                         \
-    template std::uint64_t velocity_filter<Dim>(const ParticleView<Dim>&, const NeighborList&, double,           \
-                                                Precision, VectorField<Dim>&);
+#define SLUICE_INSTANTIATE(Dim)                                                                                     \
+    template std::uint64_t fluid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&,    \
+                                               Precision, VectorField<Dim>&);                                       \
+    template std::uint64_t continuity<Dim>(const ParticleView<Dim>&, const NeighborList&, Precision, ScalarField&); \
+    template std::uint64_t fluid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&,       \
+                                            Precision, VectorField<Dim>&, ScalarField&);                            \
+    template std::uint64_t velocity_filter<Dim>(const ParticleView<Dim>&, const NeighborList&, double, Precision,   \
+                                                VectorField<Dim>&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

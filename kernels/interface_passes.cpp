@@ -71,16 +71,16 @@ void add_interface_continuity(const ParticleView<Dim>& fluid, const ParticleView
               [&](Index b, const Vec<1>& sum) { density_rate[b] -= 2 * fluid.density[b] * sum[0]; });
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                                                                      \
-    template void add_interface_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                    \
-                                              const NeighborList&, ScalarField&);                                    \
-    template void interface_weights<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&, const NeighborList&,    \
-                                         ScalarField&, VectorField<Dim>&);                                           \
-    template Vec<Dim> interface_force_on_solid<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,              \
-                                                    const NeighborList&, BlockTotals<Dim>&, VectorField<Dim>&);      \
-    template Vec<Dim> add_interface_force_on_fluid<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,          \
-                                                        const NeighborList&, BlockTotals<Dim>&, VectorField<Dim>&);  \
-    template void add_interface_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                  \
+#define SLUICE_INSTANTIATE(Dim)                                                                                        \
+    template void add_interface_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&, const NeighborList&, \
+                                              ScalarField&);                                                           \
+    template void interface_weights<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&, const NeighborList&,      \
+                                         ScalarField&, VectorField<Dim>&);                                             \
+    template Vec<Dim> interface_force_on_solid<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                \
+                                                    const NeighborList&, BlockTotals<Dim>&, VectorField<Dim>&);        \
+    template Vec<Dim> add_interface_force_on_fluid<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,            \
+                                                        const NeighborList&, BlockTotals<Dim>&, VectorField<Dim>&);    \
+    template void add_interface_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                    \
                                                 const NeighborList&, ScalarField&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)

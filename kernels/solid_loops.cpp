@@ -5,11 +5,11 @@
 
 namespace sluice::SLUICE_ISA {
 
-#define SLUICE_INSTANTIATE(Dim, Number)                                                                   \
-    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim>)                                                \
-    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim, ArtificialViscosity>)                           \
-    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim, ArtificialStress>)                              \
-    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim, ArtificialViscosity, ArtificialStress>)         \
+#define SLUICE_INSTANTIATE(Dim, Number)                                                           \
+    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim>)                                        \
+    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim, ArtificialViscosity>)                   \
+    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim, ArtificialStress>)                      \
+    SLUICE_INSTANTIATE_PASS(Number, StressDivergence<Dim, ArtificialViscosity, ArtificialStress>) \
     SLUICE_INSTANTIATE_PASS(Number, SolidRateSums<Dim>)
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)

@@ -43,11 +43,11 @@ std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& li
     });
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                                                                  \
-    template std::uint64_t solid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const SolidTerms&, \
-                                               Precision, VectorField<Dim>&);                                    \
-    template std::uint64_t solid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, Precision,            \
-                                            ScalarField&, TupleField<Dim * Dim>&);
+#define SLUICE_INSTANTIATE(Dim)                                                                                     \
+    template std::uint64_t solid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const SolidTerms&,    \
+                                               Precision, VectorField<Dim>&);                                       \
+    template std::uint64_t solid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, Precision, ScalarField&, \
+                                            TupleField<Dim * Dim>&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

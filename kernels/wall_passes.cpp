@@ -28,12 +28,12 @@ std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const Parti
     return add_scalars(GhostContinuity<Dim>{}, precision, fluid, wall, list, density_rate);
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                                                                       \
-    template std::uint64_t fixed_ghost_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,              \
-                                                     const NeighborList&, const Vec<Dim>&, Precision, ScalarField&);  \
-    template std::uint64_t fixed_ghost_force<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                 \
-                                                  const NeighborList&, Precision, VectorField<Dim>&);                 \
-    template std::uint64_t fixed_ghost_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,            \
+#define SLUICE_INSTANTIATE(Dim)                                                                                      \
+    template std::uint64_t fixed_ghost_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,             \
+                                                     const NeighborList&, const Vec<Dim>&, Precision, ScalarField&); \
+    template std::uint64_t fixed_ghost_force<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                \
+                                                  const NeighborList&, Precision, VectorField<Dim>&);                \
+    template std::uint64_t fixed_ghost_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,           \
                                                        const NeighborList&, Precision, ScalarField&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)

@@ -24,7 +24,6 @@ std::uint64_t fixed_ghost_force(const ParticleView<Dim>& fluid, const ParticleVi
 /// density_rate of the fluid += approach to the ghosts (FixedGhostContinuity).
 template <int Dim>
 std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall,
-                                     const NeighborList& list, Precision precision,
-                                     ScalarField& density_rate);
+                                     const NeighborList& list, Precision precision, ScalarField& density_rate);
 
 }  // namespace sluice

@@ -45,8 +45,8 @@ class CellGrid {
     /// Cell at a coordinate (which may lie outside the grid), or nullptr if no particle is in it.
     const Cell<Dim>* find(const std::array<std::int64_t, Dim>& coordinate) const;
 
-    /// visit(number of the cell) for every cell that may hold a particle closer to the box than `cut` plus `scale` times its
-    /// own reach, x fastest.
+    /// visit(number of the cell) for every cell that may hold a particle closer to the box than `cut` plus `scale`
+    /// times its own reach, x fastest.
     template <class Visit>
     void cells_near(const Box<Dim>& box, double cut, double scale, Visit&& visit) const;
 

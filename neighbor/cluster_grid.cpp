@@ -36,8 +36,9 @@ void halve(std::span<Member<Dim>> members) {
     for (int k = 1; k < Dim; ++k)
         if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
     const auto half = first_half(static_cast<Index>(members.size()));
-    std::nth_element(members.begin(), members.begin() + half, members.end(),
-                     [axis](const auto& a, const auto& b) { return a.x[axis] < b.x[axis] || (a.x[axis] == b.x[axis] && a.i < b.i); });
+    std::nth_element(members.begin(), members.begin() + half, members.end(), [axis](const auto& a, const auto& b) {
+        return a.x[axis] < b.x[axis] || (a.x[axis] == b.x[axis] && a.i < b.i);
+    });
     halve(members.first(half));
     halve(members.subspan(half));
 }
@@ -120,7 +121,8 @@ void ClusterGrid<Dim>::particles_were_sorted(std::size_t first) {
 
 template <int Dim>
 std::size_t ClusterGrid<Dim>::bytes() const {
-    return cells_.bytes() + (cell_block_.capacity() + cell_cluster_.capacity() + cluster_start_.capacity()) * sizeof(Index) +
+    return cells_.bytes() +
+           (cell_block_.capacity() + cell_cluster_.capacity() + cluster_start_.capacity()) * sizeof(Index) +
            block_.capacity() * sizeof(Range) +
            (cluster_extent_.capacity() + block_extent_.capacity()) * sizeof(Extent<Dim>);
 }

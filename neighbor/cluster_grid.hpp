@@ -58,9 +58,7 @@ class ClusterGrid {
     /// Clusters of a block.
     Range clusters(std::size_t block) const { return block_[block]; }
     /// Particles of a cluster, as a range of order().
-    Range particles(std::size_t cluster) const {
-        return {cluster_start_[cluster], cluster_start_[cluster + 1]};
-    }
+    Range particles(std::size_t cluster) const { return {cluster_start_[cluster], cluster_start_[cluster + 1]}; }
     const Extent<Dim>& block_extent(std::size_t block) const { return block_extent_[block]; }
     const Extent<Dim>& cluster_extent(std::size_t cluster) const { return cluster_extent_[cluster]; }
 

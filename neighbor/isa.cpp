@@ -29,9 +29,12 @@ Isa& chosen() {
 
 std::string_view name_of(Isa isa) {
     switch (isa) {
-        case Isa::avx2: return "avx2";
-        case Isa::avx512: return "avx512";
-        default: return "baseline";
+        case Isa::avx2:
+            return "avx2";
+        case Isa::avx512:
+            return "avx512";
+        default:
+            return "baseline";
     }
 }
 

@@ -176,8 +176,8 @@ void NeighborSearch<Dim>::join(NeighborList& list) const {
         const auto query_indices = static_cast<Index>(list.query_index_.size());
         const auto candidate_indices = static_cast<Index>(list.candidate_index_.size());
         for (const ListView::Block& b : s.block)
-            list.block_.push_back({{b.queries.begin + queries, b.queries.end + queries},
-                                   {b.parts.begin + parts, b.parts.end + parts}});
+            list.block_.push_back(
+                {{b.queries.begin + queries, b.queries.end + queries}, {b.parts.begin + parts, b.parts.end + parts}});
         for (const ListView::Part& p : s.part)
             list.part_.push_back(
                 {{p.candidates.begin + candidates, p.candidates.end + candidates}, p.first_row + rows});
@@ -212,7 +212,9 @@ void NeighborSearch<Dim>::build(const ClusterGrid<Dim>& query, std::span<const C
     for (int t = 0; t < threads; ++t) {
         Share& share = shares_[static_cast<std::size_t>(t)];
         share.clear();
-        const auto share_of = [&](int s) { return blocks * static_cast<std::size_t>(s) / static_cast<std::size_t>(threads); };
+        const auto share_of = [&](int s) {
+            return blocks * static_cast<std::size_t>(s) / static_cast<std::size_t>(threads);
+        };
         for (std::size_t b = share_of(t); b < share_of(t + 1); ++b) search_block(job, b, share);
     }
     join(list);

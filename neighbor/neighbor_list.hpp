@@ -48,7 +48,8 @@ struct ListView {
     const ListedCluster* candidate = nullptr;
     const Row* row = nullptr;
     const std::uint8_t* entry = nullptr;
-    const std::uint8_t* equal_reach = nullptr;  ///< per query cluster: it and its candidates have one and the same reach
+    const std::uint8_t* equal_reach =
+        nullptr;  ///< per query cluster: it and its candidates have one and the same reach
     const Index* query_index = nullptr;
     const Index* candidate_index = nullptr;
 };
@@ -146,8 +147,8 @@ class NeighborSearch {
     };
 
     /// Lists what the target grids hold near the query grid's clusters, and perhaps a little more: distances are those
-    /// of boxes. Clusters stand in the query grid's order, candidates cell by cell, whatever the number of threads. If both
-    /// sets have the same position field, the target grids must hold the queries: a particle is then among its own
+    /// of boxes. Clusters stand in the query grid's order, candidates cell by cell, whatever the number of threads. If
+    /// both sets have the same position field, the target grids must hold the queries: a particle is then among its own
     /// candidates. Prune before use.
     void build(const ClusterGrid<Dim>& query, std::span<const ClusterGrid<Dim>* const> targets, const CutOff& cut,
                NeighborList& list);

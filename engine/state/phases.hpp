@@ -63,16 +63,16 @@ struct WallPhase {
 template <int Dim>
 struct InterfaceElements {
     std::size_t owned = 0;
-    VectorField<Dim> position;     ///< centre [m]
-    VectorField<Dim> area_normal;  ///< n ΔΓ, into the fluid [m²; m in 2D]
-    VectorField<Dim> velocity;     ///< of the solid at the element [m/s]
-    ScalarField pressure;          ///< p_int of eq. (26) [Pa]
-    ScalarField image_pressure;    ///< the part of it that images of fluid particles contribute [Pa]
-    ScalarField solid_weight;      ///< Σ V W over the solid around it, by which forces are shared out
-    VectorField<Dim> force;        ///< of the fluid on the element [N; N/m in 2D]
-    VectorField<Dim> shared_force; ///< force/solid_weight
-    ScalarField smoothing_length;  ///< of the solid [m]
-    Array<std::uint16_t> body;     ///< index into Scene::bodies
+    VectorField<Dim> position;      ///< centre [m]
+    VectorField<Dim> area_normal;   ///< n ΔΓ, into the fluid [m²; m in 2D]
+    VectorField<Dim> velocity;      ///< of the solid at the element [m/s]
+    ScalarField pressure;           ///< p_int of eq. (26) [Pa]
+    ScalarField image_pressure;     ///< the part of it that images of fluid particles contribute [Pa]
+    ScalarField solid_weight;       ///< Σ V W over the solid around it, by which forces are shared out
+    VectorField<Dim> force;         ///< of the fluid on the element [N; N/m in 2D]
+    VectorField<Dim> shared_force;  ///< force/solid_weight
+    ScalarField smoothing_length;   ///< of the solid [m]
+    Array<std::uint16_t> body;      ///< index into Scene::bodies
 };
 
 }  // namespace sluice

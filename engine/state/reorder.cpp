@@ -46,7 +46,7 @@ void reorder(WallPhase<Dim>& phase, const Array<Index>& order) {
     reorder_columns(phase, order);
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                                          \
+#define SLUICE_INSTANTIATE(Dim)                                        \
     template void reorder<Dim>(FluidPhase<Dim>&, const Array<Index>&); \
     template void reorder<Dim>(SolidPhase<Dim>&, const Array<Index>&); \
     template void reorder<Dim>(WallPhase<Dim>&, const Array<Index>&);

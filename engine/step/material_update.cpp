@@ -1,7 +1,7 @@
 #include "engine/step/material_update.hpp"
 
-#include "kernels/terms/tensile_correction.hpp"
 #include "kernels/terms/jaumann.hpp"
+#include "kernels/terms/tensile_correction.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -93,7 +93,7 @@ double finish_solid_step(State<Dim>& state, double artificial_stress, double dt)
 #define SLUICE_INSTANTIATE(Dim)                                  \
     template void update_fluid_pressure<Dim>(State<Dim>&);       \
     template void update_solid_stress<Dim>(State<Dim>&, double); \
-    template double finish_fluid_step<Dim>(State<Dim>&, double);   \
+    template double finish_fluid_step<Dim>(State<Dim>&, double); \
     template double finish_solid_step<Dim>(State<Dim>&, double, double);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)

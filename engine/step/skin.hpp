@@ -26,8 +26,8 @@ class SkinAccount {
 
     void was_built() { since_build_ = 0; }
     /// The skin for a prune now: it should last for some steps, but rows grow with it. A row of a pass costs about
-    /// 1 + 2.5 s/h for a pruned skin s, a step has three passes, and pruning costs half a pass: with a motion u per step
-    /// the sum of both is least after √(h/30u) steps.
+    /// 1 + 2.5 s/h for a pruned skin s, a step has three passes, and pruning costs half a pass: with a motion u per
+    /// step the sum of both is least after √(h/30u) steps.
     double prune() {
         const double left = std::max(skin_ - 2 * since_build_, 0.0);
         const double steps = next() > 0 ? std::clamp(std::round(std::sqrt(h_ / (30 * next()))), 1.0, 50.0) : 50.0;

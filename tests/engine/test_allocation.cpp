@@ -31,8 +31,7 @@ namespace sluice {
 
 TEST_CASE("A step without a search allocates nothing") {
     const std::string precision = GENERATE("double", "mixed"), rate = GENERATE("single-rate", "multi-rate");
-    Simulation<2> simulation(scene_text::load(
-        "gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
+    Simulation<2> simulation(scene_text::load("gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
 [method.solid]
 velocity_filter = 0.99
 [bodies.water]
@@ -51,7 +50,7 @@ normal = [0.0, 1.0]
 kind = "fixed"
 shape = { box = { min = [-0.12, 0.0], max = [-0.1, 0.06] } }
 )toml",
-        {"method.precision=" + precision, "method.time_stepping=" + rate}));
+                                              {"method.precision=" + precision, "method.time_stepping=" + rate}));
     advance(simulation, 2);  // scratch grows to its size
     int without_search = 0;
     for (int s = 0; s < 30; ++s) {

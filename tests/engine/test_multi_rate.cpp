@@ -146,8 +146,7 @@ TEST_CASE("Every instruction set computes the same motion, and each the same bit
         CHECK(position[2].c == position[0].c);
     }
     use_isa(name_of(available_isas().back()));
-    for (const double d : deflection)
-        CHECK(d == Approx(deflection[0]).epsilon(precision == "mixed" ? 1e-4 : 1e-9));
+    for (const double d : deflection) CHECK(d == Approx(deflection[0]).epsilon(precision == "mixed" ? 1e-4 : 1e-9));
 }
 
 }  // namespace sluice

@@ -33,8 +33,7 @@ TEMPLATE_TEST_CASE_SIG("the weights by which a force is shared out add up to one
         e.force = zeros<Dim>(e.size());
         e.force.set(k, unit);
         e.share_forces();
-        const Vec<Dim> sum =
-            interface_force_on_solid<Dim>(s.solid.view(), e.view(), lists.solid_element, totals, a);
+        const Vec<Dim> sum = interface_force_on_solid<Dim>(s.solid.view(), e.view(), lists.solid_element, totals, a);
         CHECK(norm(sum - unit) < 1e-14);  // some ten shares of one
     }
 }

@@ -68,10 +68,10 @@ InterfaceResult<Dim> evaluate_interface(Elements<Dim>& e, const Particles<Dim>& 
     for (std::size_t k = 0; k < e.size(); ++k) e.force.set(k, -e.pressure[k] * e.area_normal[k]);
     e.share_forces();
     BlockTotals<Dim> totals;
-    r.on_solid = interface_force_on_solid<Dim>(solid.view(), e.view(), lists.solid_element, totals,
-                                               r.solid_acceleration);
-    r.on_fluid = add_interface_force_on_fluid<Dim>(fluid.view(), e.view(), lists.fluid_element, totals,
-                                                   r.fluid_acceleration);
+    r.on_solid =
+        interface_force_on_solid<Dim>(solid.view(), e.view(), lists.solid_element, totals, r.solid_acceleration);
+    r.on_fluid =
+        add_interface_force_on_fluid<Dim>(fluid.view(), e.view(), lists.fluid_element, totals, r.fluid_acceleration);
     add_interface_continuity<Dim>(fluid.view(), e.view(), lists.fluid_element, r.density_rate);
     return r;
 }
