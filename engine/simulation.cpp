@@ -17,6 +17,7 @@
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
+
 template <int Dim>
 struct Simulation<Dim>::Impl {
     explicit Impl(const Scene& s)
@@ -37,6 +38,8 @@ struct Simulation<Dim>::Impl {
         update_fluid_pressure(state);
         update_solid_stress(state, solid_terms.artificial_stress);
         neighbors.refresh_fluid_scalars();
+        const double of_solid = highest_speed(state.solid);
+        neighbors.expect_motion(plan.dt * max_speed, plan.dt * of_solid, solid_dt() * of_solid);
         // So that the first output shows what the start means for walls and solids.
         if (effects.has(Effect::fixed_wall)) update_wall_pressure();
         if (effects.has(Effect::interface_force)) update_interface_force();
@@ -85,17 +88,20 @@ struct Simulation<Dim>::Impl {
     double solid_dt() const { return plan.dt / plan.substeps; }
 
     void update_neighbors() {
+        search([&] { neighbors.update(); });
+    }
+    void update_solid_neighbors() {
+        search([&] { neighbors.update_solid(); });
+    }
+
+    template <class Update>
+    void search(Update&& update) {
         const auto scope = timer.measure(StepPhase::search);
         try {
-            neighbors.update();
+            update();
         } catch (const std::length_error& error) {
             throw NumericalError(error.what());
         }
-    }
-
-    void update_solid_neighbors() {
-        const auto scope = timer.measure(StepPhase::search);
-        neighbors.update_solid();
     }
 
     void fluid_forces() {

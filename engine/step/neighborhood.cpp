@@ -20,10 +20,7 @@ constexpr double cell_particles = 64;
 double smallest(const ScalarField& h) { return h.empty() ? 1.0 : *std::min_element(h.begin(), h.end()); }
 double largest(const ScalarField& h) { return h.empty() ? 1.0 : *std::max_element(h.begin(), h.end()); }
 
-template <int Dim>
-SkinAccount skin_for(const ScalarField& h) {
-    return SkinAccount(skin_over_h * smallest(h), smallest(h));
-}
+SkinAccount skin_for(const ScalarField& h) { return SkinAccount(skin_over_h * smallest(h), smallest(h)); }
 
 }  // namespace
 
@@ -32,8 +29,8 @@ Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, doubl
     : state_(state),
       effects_(effects),
       cell_over_h_(std::pow(cell_particles, 1.0 / Dim) / h_over_d),
-      fluid_skin_(skin_for<Dim>(state.fluid.smoothing_length)),
-      solid_skin_(skin_for<Dim>(state.solid.smoothing_length)),
+      fluid_skin_(skin_for(state.fluid.smoothing_length)),
+      solid_skin_(skin_for(state.solid.smoothing_length)),
       coupling_skin_(skin_over_h * state.min_h, state.min_h) {
     if (effects.has(Effect::fixed_wall)) {
         auto& wall = state_.wall;
@@ -49,6 +46,13 @@ Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, doubl
 }
 
 template <int Dim>
+void Neighborhood<Dim>::expect_motion(double of_fluid, double of_solid, double of_solid_substep) {
+    fluid_skin_.expect_motion(of_fluid);
+    solid_skin_.expect_motion(of_solid_substep);
+    coupling_skin_.expect_motion(0.5 * (of_fluid + of_solid));
+}
+
+template <int Dim>
 void Neighborhood<Dim>::add_motion(double of_fluid, double of_solid) {
     fluid_skin_.add_motion(of_fluid);
     coupling_skin_.add_motion(0.5 * (of_fluid + of_solid));  // elements and particles together: not twice the larger
@@ -56,23 +60,30 @@ void Neighborhood<Dim>::add_motion(double of_fluid, double of_solid) {
 
 template <int Dim>
 void Neighborhood<Dim>::update() {
-    update_solid();
-    const bool fluid_moved = fluid_skin_.outdated();
-    if (fluid_moved)
+    bool rebuilt = refresh_solid();
+    if (fluid_skin_.outdated()) {
         build_fluid();
-    else if (fluid_skin_.prune_due())
+        rebuilt = true;
+    } else if (fluid_skin_.prune_due())
         prune_fluid();
-    if (fluid_moved || coupling_skin_.outdated()) build_coupling();
+    if (rebuilt || coupling_skin_.outdated()) build_coupling();
 }
 
 template <int Dim>
 void Neighborhood<Dim>::update_solid() {
-    if (state_.solid.owned == 0) return;
+    if (refresh_solid()) build_coupling();
+}
+
+/// Returns true if the solid's particles have changed their places in memory.
+template <int Dim>
+bool Neighborhood<Dim>::refresh_solid() {
+    if (state_.solid.owned == 0) return false;
     if (solid_skin_.outdated()) {
         build_solid();
-        if (effects_.has(Effect::interface_force)) build_coupling();
-    } else if (solid_skin_.prune_due())
-        prune_solid();
+        return true;
+    }
+    if (solid_skin_.prune_due()) prune_solid();
+    return false;
 }
 
 template <int Dim>
@@ -103,7 +114,6 @@ void Neighborhood<Dim>::make_fluid_images() {
     fluid_images_.create(state_.mirrors, fluid.position, fluid.owned,
                          [&](std::size_t i) { return fluid.smoothing_length[i] + farthest; });
     const std::size_t n = fluid.position.size();
-    fluid.smoothing_length.resize(fluid.owned);
     fluid_images_.extend(fluid.smoothing_length, fluid.owned);
     fluid_image_grid_.build(fluid.position, fluid.owned, n, cell_over_h_ * largest(fluid.smoothing_length),
                             fluid.smoothing_length);

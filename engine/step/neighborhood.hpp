@@ -17,6 +17,8 @@ class Neighborhood {
     /// h_over_d: smoothing length over spacing, for the size of the cells.
     Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d);
 
+    /// Tells how far particles will about move in the first step, and a solid's in its first sub-step. [m]
+    void expect_motion(double of_fluid, double of_solid, double of_solid_substep);
     /// Tells that no solid particle has moved farther than this in a sub-step. [m]
     void add_solid_motion(double distance) { solid_skin_.add_motion(distance); }
     /// Tells that in a whole step no particle has moved farther than this. [m]
@@ -48,6 +50,7 @@ class Neighborhood {
   private:
     using Grid = ClusterGrid<Dim>;
 
+    bool refresh_solid();
     void build_fluid();
     void build_solid();
     void build_coupling();

@@ -9,7 +9,7 @@ namespace sluice {
 /// Keeps account of how far particles have moved since a list was built with a skin, and since it was pruned.
 class SkinAccount {
   public:
-    explicit SkinAccount(double skin, double smoothing_length) : skin_(skin), h_(smoothing_length) {}
+    SkinAccount(double skin, double smoothing_length) : skin_(skin), h_(smoothing_length) {}
 
     double skin() const { return skin_; }
     /// How far particles may have moved since the build. [m]
@@ -20,6 +20,8 @@ class SkinAccount {
         since_prune_ += distance;
         last_ = distance;
     }
+    /// Tells that particles will move about so far in the next step, where none has been taken yet. [m]
+    void expect_motion(double distance) { last_ = distance; }
     /// Whether some pair may come within its support in the next step without being listed.
     bool outdated() const { return 2 * (since_build_ + next()) > skin_; }
     bool prune_due() const { return 2 * (since_prune_ + next()) > pruned_skin_; }
