@@ -59,7 +59,7 @@ class Images {
     void refresh_directions(VectorField<Dim>& field, std::size_t owned) const {
         reflect(field, owned, [](const MirrorPlane<Dim>& p, const Vec<Dim>& v) { return p.reflect_direction(v); });
     }
-    std::size_t bytes() const { return parent_.capacity() * sizeof(Index) + path_.capacity(); }
+    std::size_t bytes() const { return parent_.capacity() * sizeof(Index) + path_.capacity() * sizeof(std::uint16_t); }
 
   private:
     /// Planes that lead from an owned particle to an image, the first one first.
@@ -73,8 +73,7 @@ class Images {
             field.set(owned + k, value);
         });
     }
-    std::uint8_t path_to(std::uint8_t from, std::uint8_t plane);
-    Vec<Dim> place_of(Vec<Dim> x, std::uint8_t path) const {
+    Vec<Dim> place_of(Vec<Dim> x, std::uint16_t path) const {
         for (const std::uint8_t plane : paths_[path]) x = planes_[plane].reflect_position(x);
         return x;
     }
@@ -82,19 +81,8 @@ class Images {
     std::vector<MirrorPlane<Dim>> planes_;
     std::vector<Path> paths_;
     Array<Index> parent_, parent_buffer_;
-    Array<std::uint8_t> path_, path_buffer_;  ///< into paths_
+    Array<std::uint16_t> path_, path_buffer_;  ///< into paths_
 };
-
-/// The number of the path that goes on from path `from` across one more plane.
-template <int Dim>
-std::uint8_t Images<Dim>::path_to(std::uint8_t from, std::uint8_t plane) {
-    Path path = paths_[from];
-    path.push_back(plane);
-    for (std::size_t p = 0; p < paths_.size(); ++p)
-        if (paths_[p] == path) return static_cast<std::uint8_t>(p);
-    paths_.push_back(std::move(path));
-    return static_cast<std::uint8_t>(paths_.size() - 1);
-}
 
 template <int Dim>
 template <class Range>
@@ -107,12 +95,18 @@ void Images<Dim>::create(const std::vector<MirrorPlane<Dim>>& planes, VectorFiel
     position.resize(owned);
     for (std::size_t p = 0; p < planes.size(); ++p) {
         const std::size_t before = owned + count();
+        std::vector<std::uint16_t> onward(paths_.size(), 0);  // from each path across plane p; 0 = not yet gone
         for (std::size_t i = 0; i < before; ++i) {
             const Index owner = i < owned ? static_cast<Index>(i) : parent_[i - owned];
-            const std::uint8_t path = i < owned ? std::uint8_t{0} : path_[i - owned];
+            const std::uint16_t path = i < owned ? std::uint16_t{0} : path_[i - owned];
             if (planes[p].distance(place_of(position[owner], path)) > range(owner)) continue;
             parent_.push_back(owner);
-            path_.push_back(path_to(path, static_cast<std::uint8_t>(p)));
+            if (onward[path] == 0) {
+                onward[path] = static_cast<std::uint16_t>(paths_.size());
+                paths_.push_back(paths_[path]);
+                paths_.back().push_back(static_cast<std::uint8_t>(p));
+            }
+            path_.push_back(onward[path]);
         }
     }
     position.resize(owned + count());
