@@ -135,7 +135,7 @@ template <>
 struct Pack<Symbol, 1> {
     using Number = Symbol;
     using Kind = Symbol::Kind;
-    static constexpr int lanes = 1;
+    static constexpr int lanes = 1, along_j = 1, along_i = 1;
 
     Symbol v;
 

@@ -45,13 +45,8 @@ double best_rate(Work&& work) {
 using MultiplyAdd = std::uint64_t (*)(std::uint64_t);
 
 MultiplyAdd multiply_add_of(Isa isa, Precision precision) {
-    const bool single = precision == Precision::mixed;
-#ifdef SLUICE_ALL_ISAS
-    if (isa == Isa::avx512) return single ? avx512::multiply_add<float> : avx512::multiply_add<double>;
-    if (isa == Isa::avx2) return single ? avx2::multiply_add<float> : avx2::multiply_add<double>;
-#endif
-    static_cast<void>(isa);
-    return single ? baseline::multiply_add<float> : baseline::multiply_add<double>;
+    if (precision == Precision::mixed) return SLUICE_OF_ISA(isa, multiply_add<float>);
+    return SLUICE_OF_ISA(isa, multiply_add<double>);
 }
 
 /// Size of a level of cache, data or unified; a guess where the system does not tell.

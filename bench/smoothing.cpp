@@ -15,14 +15,7 @@
 namespace sluice::bench {
 namespace {
 
-SmoothingLoops loops_of(Isa isa) {
-#ifdef SLUICE_ALL_ISAS
-    if (isa == Isa::avx512) return avx512::smoothing_loops();
-    if (isa == Isa::avx2) return avx2::smoothing_loops();
-#endif
-    static_cast<void>(isa);
-    return baseline::smoothing_loops();
-}
+SmoothingLoops loops_of(Isa isa) { return SLUICE_OF_ISA(isa, smoothing_loops)(); }
 
 /// function/quantity
 std::string name_of(const SmoothingLoop& loop) { return std::string(loop.function) + "/" + loop.quantity; }

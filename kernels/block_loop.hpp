@@ -39,22 +39,12 @@ SLUICE_DECLARE_LOOP(avx512)
 template <class Pass>
 using BlockLoop = void (*)(const BlockTask<Pass::dim>&, const ListView::Block&, const Pass&, double*);
 
-/// The loop for the instruction set in use.
-template <class Pass, class Number>
-BlockLoop<Pass> block_loop_of() {
-#ifdef SLUICE_ALL_ISAS
-    if (active_isa() == Isa::avx512) return avx512::sum_block<Pass, Number>;
-    if (active_isa() == Isa::avx2) return avx2::sum_block<Pass, Number>;
-#endif
-    return baseline::sum_block<Pass, Number>;
-}
-
-/// A pass with `always_full` is computed in double whatever is asked for.
+/// The loop for the instruction set in use. A pass with `always_full` is computed in double whatever is asked for.
 template <class Pass>
 BlockLoop<Pass> block_loop(Precision precision) {
     if constexpr (!requires { Pass::always_full; })
-        if (precision == Precision::mixed) return block_loop_of<Pass, float>();
-    return block_loop_of<Pass, double>();
+        if (precision == Precision::mixed) return SLUICE_OF_ISA(active_isa(), sum_block<Pass, float>);
+    return SLUICE_OF_ISA(active_isa(), sum_block<Pass, double>);
 }
 
 }  // namespace sluice

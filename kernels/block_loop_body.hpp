@@ -27,7 +27,7 @@ constexpr Length length_of() {
 template <bool OwnH, class Pass, class Real, class FourJ, class SideI>
 SLUICE_INLINE void sum_row(const Pass& pass, const SideI& self, const FourJ* tile, const std::uint8_t* entry,
                            const std::uint8_t* end, Vec<Pass::outputs, Real>& sum) {
-    constexpr int dim = Pass::dim, along_j = Real::lanes < 4 ? Real::lanes : 4;
+    constexpr int dim = Pass::dim, along_j = Real::along_j;
     using Smoothing = typename Pass::Smoothing;
     using SideJ = Side<dim, Real, Pass::reads_j>;
     const Real own_h = self.smoothing_length();
@@ -66,13 +66,12 @@ void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, c
     using Real = Pack<Number>;
     using FourI = Four<dim, Number, Pass::reads_i>;
     using FourJ = Four<dim, Number, Pass::reads_j>;
-    constexpr int along_j = Real::lanes < 4 ? Real::lanes : 4, along_i = Real::lanes / along_j;
+    constexpr int along_i = Real::along_i, along_j = Real::along_j;
 
     const auto columns_i = FourI::Slot::of_view(task.a);
     const auto columns_j = FourJ::Slot::of_view(task.b);
     const ListView& list = task.list;
-    const ListedCluster& first = list.query[block.queries.begin];
-    const Index somewhere = first.in_sequence ? first.first : list.query_index[first.first];
+    const Index somewhere = list.query[block.queries.begin].particle(0, list.query_index);
     double origin_i[FourI::Slot::count] = {}, origin_j[FourJ::Slot::count] = {};
     for (int k = 0; k < dim; ++k) origin_i[k] = origin_j[k] = task.a.position[static_cast<std::size_t>(k)][somewhere];
 

@@ -31,12 +31,10 @@ struct alignas(4 * sizeof(Number)) Four {
             return;
         }
         for (int l = 0; l < 4; ++l) {
-            const bool there = l < c.size;
-            const Index t = c.first + (there ? static_cast<Index>(l) : 0);
-            const Index i = c.in_sequence ? t : index[t];
+            const Index i = c.particle(static_cast<Index>(l), index);
             for (int s = 0; s < Slot::count; ++s)
                 value[s][l] = static_cast<Number>(columns[static_cast<std::size_t>(s)][i] - origin[s]);
-            if (there) continue;
+            if (l < c.size) continue;
             value[0][l] += Number(1e4) * value[Slot::smoothing_length][l];
             if constexpr (Reads & column::mass) value[Slot::of(column::mass)][l] = 0;
             if constexpr (Reads & column::volume) value[Slot::of(column::volume)][l] = 0;

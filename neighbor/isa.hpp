@@ -31,4 +31,14 @@ Isa active_isa();
 /// Throws std::invalid_argument, with the levels that there are, if the processor or the program lacks it.
 void use_isa(std::string_view name);
 
+// SLUICE_OF_ISA(isa, function): the function of that name in the level's namespace.
+#ifdef SLUICE_ALL_ISAS
+#define SLUICE_OF_ISA(isa, ...)                            \
+    ((isa) == ::sluice::Isa::avx512 ? &avx512::__VA_ARGS__ \
+     : (isa) == ::sluice::Isa::avx2 ? &avx2::__VA_ARGS__   \
+                                    : &baseline::__VA_ARGS__)
+#else
+#define SLUICE_OF_ISA(isa, ...) (static_cast<void>(isa), &baseline::__VA_ARGS__)
+#endif
+
 }  // namespace sluice

@@ -72,20 +72,6 @@ void NeighborList::clear() {
 }
 
 template <int Dim>
-void NeighborSearch<Dim>::Share::clear() {
-    block.clear();
-    part.clear();
-    query.clear();
-    candidate.clear();
-    row.clear();
-    entry.clear();
-    equal_reach.clear();
-    query_index.clear();
-    candidate_index.clear();
-    size = 0;
-}
-
-template <int Dim>
 void NeighborSearch<Dim>::search_block(const Job& job, std::size_t block, Share& share) {
     const Extent<Dim>& own = job.query.block_extent(block);
     share.near_grid.clear();
@@ -153,12 +139,12 @@ void NeighborSearch<Dim>::list_part(const Job& job, Range clusters, std::size_t 
 }
 
 template <int Dim>
-void NeighborSearch<Dim>::join(NeighborList& list) const {
+void NeighborSearch<Dim>::join(const std::vector<Share>& shares, NeighborList& list) {
     list.clear();
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    const auto reserve = [this](auto& to, auto Share::*part) {
+    const auto reserve = [&shares](auto& to, auto Share::*part) {
         std::size_t n = 0;
-        for (const Share& s : shares_) n += (s.*part).size();
+        for (const Share& s : shares) n += (s.*part).size();
         to.reserve(n);
     };
     reserve(list.block_, &Share::block);
@@ -168,7 +154,7 @@ void NeighborSearch<Dim>::join(NeighborList& list) const {
     reserve(list.row_, &Share::row);
     reserve(list.listed_, &Share::entry);
     reserve(list.equal_reach_, &Share::equal_reach);
-    for (const Share& s : shares_) {
+    for (const Share& s : shares) {
         const auto parts = static_cast<Index>(list.part_.size()), queries = static_cast<Index>(list.query_.size());
         const auto candidates = static_cast<Index>(list.candidate_.size());
         const auto rows = static_cast<std::uint32_t>(list.row_.size());
@@ -198,27 +184,20 @@ void NeighborSearch<Dim>::join(NeighborList& list) const {
 template <int Dim>
 void NeighborSearch<Dim>::build(const ClusterGrid<Dim>& query, std::span<const ClusterGrid<Dim>* const> targets,
                                 const CutOff& cut, NeighborList& list) {
-    auto find_near = baseline::find_near<Dim>;
-#ifdef SLUICE_ALL_ISAS
-    if (active_isa() == Isa::avx2) find_near = avx2::find_near<Dim>;
-    if (active_isa() == Isa::avx512) find_near = avx512::find_near<Dim>;
-#endif
-    const Job job{query, targets, cut, find_near};
+    const Job job{query, targets, cut, SLUICE_OF_ISA(active_isa(), find_near<Dim>)};
     const std::size_t blocks = query.blocks();
     const int threads = query.size() > parallel_threshold ? omp_get_max_threads() : 1;
-    shares_.resize(static_cast<std::size_t>(threads));
+    std::vector<Share> shares(static_cast<std::size_t>(threads));
     // Consecutive shares, each searched by one thread in order: the list is the same for any number of threads.
 #pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
     for (int t = 0; t < threads; ++t) {
-        Share& share = shares_[static_cast<std::size_t>(t)];
-        share.clear();
+        Share& share = shares[static_cast<std::size_t>(t)];
         const auto share_of = [&](int s) {
             return blocks * static_cast<std::size_t>(s) / static_cast<std::size_t>(threads);
         };
         for (std::size_t b = share_of(t); b < share_of(t + 1); ++b) search_block(job, b, share);
     }
-    join(list);
-    shares_.clear();  // as large as the list: not worth keeping until the next build
+    join(shares, list);
 }
 
 template <int Dim>
@@ -243,11 +222,7 @@ void NeighborSearch<Dim>::prune(const Set& query, const Set& target, const CutOf
     task.row = list.row_.data();
     task.listed = list.listed_.data();
     task.near = list.near_.data();
-    auto loop = baseline::prune_block<Dim>;
-#ifdef SLUICE_ALL_ISAS
-    if (active_isa() == Isa::avx2) loop = avx2::prune_block<Dim>;
-    if (active_isa() == Isa::avx512) loop = avx512::prune_block<Dim>;
-#endif
+    const auto loop = SLUICE_OF_ISA(active_isa(), prune_block<Dim>);
     const auto blocks = static_cast<std::int64_t>(list.blocks());
     list.work_.resize(list.blocks());
     std::uint64_t pairs = 0;

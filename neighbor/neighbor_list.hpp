@@ -22,6 +22,12 @@ struct ListedCluster {
     Index first = 0;
     std::uint8_t size = 0;
     bool in_sequence = false;
+
+    /// The particle in a lane; the first one in a lane that has none.
+    [[gnu::always_inline]] Index particle(Index lane, const Index* index) const {
+        const Index at = first + (lane < size ? lane : 0);
+        return in_sequence ? at : index[at];
+    }
 };
 
 /// What a loop over pairs sees of a list. Blocks hold consecutive query clusters; a block's candidates come in parts;
@@ -90,7 +96,7 @@ class NeighborList {
   private:
     template <class Visit>
     static void for_members(const ListedCluster& c, const Array<Index>& index, Visit&& visit) {
-        for (Index l = 0; l < c.size; ++l) visit(c.in_sequence ? c.first + l : index[c.first + l]);
+        for (Index l = 0; l < c.size; ++l) visit(c.particle(l, index.data()));
     }
 
     Array<ListView::Block> block_;
@@ -170,7 +176,6 @@ class NeighborSearch {
         /// Candidates of the block in hand, as (grid, cluster).
         Array<Index> near_grid, near_cluster;
         BoxColumns<Dim> near_box;
-        void clear();
     };
     struct Job {
         const ClusterGrid<Dim>& query;
@@ -181,9 +186,7 @@ class NeighborSearch {
     };
     static void search_block(const Job& job, std::size_t block, Share& share);
     static void list_part(const Job& job, Range clusters, std::size_t first_near, std::size_t last_near, Share& share);
-    void join(NeighborList& list) const;
-
-    std::vector<Share> shares_;
+    static void join(const std::vector<Share>& shares, NeighborList& list);
 };
 
 extern template class NeighborSearch<2>;

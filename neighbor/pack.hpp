@@ -37,6 +37,8 @@ struct Pack {
     using Vector = typename VectorOf<T, Lanes>::type;
     using Number = T;
     static constexpr int lanes = Lanes;
+    /// Four particles against four: how many of the partners' lie side by side in a register, and of one's own.
+    static constexpr int along_j = Lanes < 4 ? Lanes : 4, along_i = Lanes / along_j;
 
     Vector v{};
 

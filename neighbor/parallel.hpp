@@ -46,9 +46,10 @@ void parallel_for_heavy(std::size_t n, Body&& body) {
 }
 
 /// Σ f(i), added up in fixed blocks and then block by block: the same bits for any number of threads.
-/// T needs a zero default and +=. `threshold`: below this many items the calling thread does it all.
-template <class T, std::size_t block = 1024, class F>
-T ordered_sum(std::size_t n, F&& f, std::size_t threshold = light_threshold) {
+/// T needs a zero default and +=.
+template <class T, class F>
+T ordered_sum(std::size_t n, F&& f) {
+    constexpr std::size_t block = 1024;
     const std::size_t blocks = (n + block - 1) / block;
     std::array<T, 64> on_stack{};  // 64 blocks without an allocation
     std::vector<T> on_heap;
@@ -58,7 +59,7 @@ T ordered_sum(std::size_t n, F&& f, std::size_t threshold = light_threshold) {
         partial = on_heap.data();
     }
     const auto count = static_cast<std::int64_t>(blocks);
-#pragma omp parallel for schedule(static) if (n > threshold)
+#pragma omp parallel for schedule(static) if (n > light_threshold)
     for (std::int64_t k = 0; k < count; ++k) {
         const auto b = static_cast<std::size_t>(k);
         T s{};

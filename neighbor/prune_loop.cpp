@@ -24,11 +24,9 @@ struct Four {
             return;
         }
         for (int l = 0; l < 4; ++l) {
-            const bool there = l < c.size;
-            const Index t = c.first + (there ? static_cast<Index>(l) : 0);
-            const Index i = c.in_sequence ? t : index[t];
+            const Index i = c.particle(static_cast<Index>(l), index);
             for (int k = 0; k < Dim; ++k) x[k][l] = static_cast<Number>(columns.position[k][i] - origin[k]);
-            reach[l] = there ? static_cast<Number>(scale * columns.reach[i]) : nowhere;
+            reach[l] = l < c.size ? static_cast<Number>(scale * columns.reach[i]) : nowhere;
         }
     }
 };
@@ -37,14 +35,11 @@ struct Four {
 template <bool Count, int Dim, class Number>
 SLUICE_INLINE std::uint64_t prune(const PruneTask<Dim>& task, const ListView::Block& block) {
     using P = Pack<Number>;
-    constexpr int lanes = P::lanes;
-    constexpr int along_j = lanes < 4 ? lanes : 4;  // candidates' particles in a register
-    constexpr int along_i = lanes / along_j;        // the query's
-    const ListedCluster& first = task.list.query[block.queries.begin];
+    constexpr int along_i = P::along_i, along_j = P::along_j;
+    const Index somewhere = task.list.query[block.queries.begin].particle(0, task.list.query_index);
     double origin[Dim] = {};
     if constexpr (!Count)
-        for (int k = 0; k < Dim; ++k)
-            origin[k] = task.query.position[k][first.in_sequence ? first.first : task.list.query_index[first.first]];
+        for (int k = 0; k < Dim; ++k) origin[k] = task.query.position[k][somewhere];
     Four<Dim, Number> near[part_size];
     std::uint64_t pairs = 0;
     const ListView& list = task.list;

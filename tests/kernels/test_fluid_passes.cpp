@@ -1,5 +1,6 @@
 // The fluid's pair passes against their plain twins.
 #include "kernels/fluid_passes.hpp"
+#include "kernels/pair_sum.hpp"
 
 #include "neighbor/parallel.hpp"
 #include "tests/catch.hpp"
@@ -251,7 +252,7 @@ TEMPLATE_TEST_CASE_SIG("fluid passes over nothing do nothing", "[fluid]", ((int 
 TEMPLATE_TEST_CASE_SIG("fluid passes have the same bits for any number of threads", "[fluid]", ((int Dim), Dim), 2, 3) {
     const auto p = make_scene<Dim>(Scene::unequal);
     const NeighborList list = list_of(p);
-    REQUIRE(list.size() > parallel_threshold);
+    REQUIRE(list.cluster_pairs() > parallel_cluster_pairs);
     in_all_variants([&](Precision precision) {
         std::vector<VectorField<Dim>> momentum, filter;
         std::vector<ScalarField> rates;

@@ -1,4 +1,5 @@
 // The solid's pair passes against their plain twins.
+#include "kernels/pair_sum.hpp"
 #include "kernels/solid_passes.hpp"
 
 #include "kernels/tensor.hpp"
@@ -168,7 +169,7 @@ TEMPLATE_TEST_CASE_SIG("a lone particle has no velocity gradient of an earlier l
 TEMPLATE_TEST_CASE_SIG("solid passes have the same bits for any number of threads", "[solid]", ((int Dim), Dim), 2, 3) {
     const auto p = make_scene<Dim>(Scene::unequal);
     const NeighborList list = list_of(p);
-    REQUIRE(list.size() > parallel_threshold);
+    REQUIRE(list.cluster_pairs() > parallel_cluster_pairs);
     in_all_variants([&](Precision precision) {
         std::vector<VectorField<Dim>> momentum;
         std::vector<TupleField<Dim * Dim>> gradients;
