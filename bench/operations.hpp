@@ -175,7 +175,7 @@ template <class Pass>
 double operations_per_lane() {
     static const double counted_once = [] {
         const Cube<Pass::dim> few(16, 1.2);
-        const BlockTask<Pass::dim> task{few.medium.view(), few.medium.view(), few.list.view()};
+        const BlockTask<Pass::dim> task{few.medium.view(), few.medium.view(), few.list.view(), {}};
         const std::uint64_t before = Ledger::current().operations();
         double sums[block_particles * Pass::outputs];
         for (std::size_t b = 0; b < few.list.blocks(); ++b)

@@ -94,26 +94,26 @@ Rows<Boundary<Dim>> interface_rows() {
     return {pass_row<ElementPressure<Dim>>("interface_pressure", pressure, 1,
                                            [](const S& s, Precision, Out& out) {
                                                add_interface_pressure<Dim>(s.elements.view(), s.fluid.view(),
-                                                                           s.element_fluid, out.scalars);
+                                                                           s.element_fluid, {}, out.scalars);
                                            }),
             pass_row<ElementWeights<Dim>>("interface_weights", weights, 1 + Dim,
                                           [](const S& s, Precision, Out& out) {
                                               interface_weights<Dim>(s.elements.view(), s.backing.view(),
-                                                                     s.element_backing, out.scalars, out.vectors);
+                                                                     s.element_backing, {}, out.scalars, out.vectors);
                                           }),
             pass_row<ForceShare<Dim>>("interface_force_on_solid", solid, Dim,
                                       [](const S& s, Precision, Out& out) {
                                           interface_force_on_solid<Dim>(s.backing.view(), s.elements.view(),
-                                                                        s.backing_element, out.totals, out.vectors);
+                                                                        s.backing_element, {}, out.totals, out.vectors);
                                       }),
             pass_row<SurfaceIntegral<Dim>>("interface_force_on_fluid", fluid, Dim,
                                            [](const S& s, Precision, Out& out) {
                                                add_interface_force_on_fluid<Dim>(s.fluid.view(), s.elements.view(),
-                                                                                 s.fluid_element, out.totals,
+                                                                                 s.fluid_element, {}, out.totals,
                                                                                  out.vectors);
                                            }),
             pass_row<SurfaceFlux<Dim>>("interface_continuity", fluid, 1, [](const S& s, Precision, Out& out) {
-                add_interface_continuity<Dim>(s.fluid.view(), s.elements.view(), s.fluid_element, out.scalars);
+                add_interface_continuity<Dim>(s.fluid.view(), s.elements.view(), s.fluid_element, {}, out.scalars);
             })};
 }
 

@@ -23,7 +23,7 @@ struct Simulation<Dim>::Impl {
     explicit Impl(const Scene& s)
         : scene(s),
           effects(scene),
-          precision(scene.method.precision == "mixed" ? Precision::mixed : Precision::full),
+          method(scene.method.precision == "mixed" ? Precision::mixed : Precision::full),
           state(place_particles<Dim>(scene, effects)),
           limits(courant_limits_of(scene, state)),
           plan(plan_steps(scene, limits, state.water && state.rubber)),
@@ -109,20 +109,20 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::fluid_pass);
         auto& fluid = state.fluid;
         parallel_for(fluid.owned, [&](std::size_t i) { fluid.acceleration.set(i, state.gravity); });
-        pairs += fluid_momentum<Dim>(view_of(fluid), neighbors.fluid_fluid, fluid_terms, precision, fluid.acceleration);
+        pairs += fluid_momentum<Dim>(view_of(fluid), neighbors.fluid_fluid, fluid_terms, method, fluid.acceleration);
     }
 
     void wall_forces() {
         if (!effects.has(Effect::fixed_wall)) return;
         const auto scope = timer.measure(StepPhase::wall_pass);
         update_wall_pressure();
-        pairs += fixed_ghost_force<Dim>(view_of(state.fluid), view_of(state.wall), neighbors.fluid_wall, precision,
+        pairs += fixed_ghost_force<Dim>(view_of(state.fluid), view_of(state.wall), neighbors.fluid_wall, method,
                                         state.fluid.acceleration);
     }
 
     void update_wall_pressure() {
         pairs += fixed_ghost_pressure<Dim>(view_of(state.wall), view_of(state.fluid), neighbors.wall_fluid,
-                                           state.gravity, precision, state.wall.pressure);
+                                           state.gravity, method, state.wall.pressure);
         neighbors.refresh_wall_pressure();
     }
 
@@ -133,8 +133,8 @@ struct Simulation<Dim>::Impl {
         auto& fluid = state.fluid;
         const auto elements = view_of(state.elements);
         const Vec<Dim> on_fluid = add_interface_force_on_fluid<Dim>(view_of(fluid), elements, neighbors.fluid_element,
-                                                                    block_totals, fluid.acceleration);
-        add_interface_force_on_fluid<Dim>(view_of(fluid), elements, neighbors.image_element, block_totals,
+                                                                    method, block_totals, fluid.acceleration);
+        add_interface_force_on_fluid<Dim>(view_of(fluid), elements, neighbors.image_element, method, block_totals,
                                           fluid.acceleration);
         record_balance(on_solid, on_fluid);
     }
@@ -147,15 +147,15 @@ struct Simulation<Dim>::Impl {
         std::fill(e.pressure.begin(), e.pressure.end(), 0.0);
         std::fill(e.image_pressure.begin(), e.image_pressure.end(), 0.0);
         const auto elements = view_of(e), fluid = view_of(state.fluid);
-        add_interface_pressure<Dim>(elements, fluid, neighbors.element_fluid, e.pressure);
-        add_interface_pressure<Dim>(elements, fluid, neighbors.element_image, e.image_pressure);
+        add_interface_pressure<Dim>(elements, fluid, neighbors.element_fluid, method, e.pressure);
+        add_interface_pressure<Dim>(elements, fluid, neighbors.element_image, method, e.image_pressure);
         for (std::size_t k = 0; k < e.owned; ++k) {
             e.pressure[k] += e.image_pressure[k];
             e.force.set(k, -e.pressure[k] * e.area_normal[k]);
             e.shared_force.set(k, e.solid_weight[k] > 0 ? (1 / e.solid_weight[k]) * e.force[k] : Vec<Dim>{});
         }
         for (auto& column : solid.interface_acceleration.c) std::fill(column.begin(), column.end(), 0.0);
-        return interface_force_on_solid<Dim>(view_of(solid), elements, neighbors.solid_element, block_totals,
+        return interface_force_on_solid<Dim>(view_of(solid), elements, neighbors.solid_element, method, block_totals,
                                              solid.interface_acceleration);
     }
 
@@ -177,7 +177,7 @@ struct Simulation<Dim>::Impl {
     void update_elements(const VectorField<Dim>& solid_position, const ParticleView<Dim>& solid) {
         auto& e = state.elements;
         if constexpr (Dim == 2) state.surface.update(solid_position, neighbors.solid_index_of_id(), e);
-        interface_weights<Dim>(view_of(e), solid, neighbors.element_solid, e.solid_weight, e.velocity);
+        interface_weights<Dim>(view_of(e), solid, neighbors.element_solid, method, e.solid_weight, e.velocity);
         for (std::size_t k = 0; k < e.owned; ++k)
             if (e.solid_weight[k] == 0) e.area_normal.set(k, {});  // torn off its body
         neighbors.refresh_elements();
@@ -200,8 +200,7 @@ struct Simulation<Dim>::Impl {
         // Eq. (16) acts once per step of the paper's scheme, and what it dissipates in a given time depends on how
         // often that is: a longer step takes as many of them at once.
         const double theta = std::pow(scene.method.fluid.velocity_filter, plan.single_rate_steps);
-        pairs +=
-            velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, theta, precision, fluid.velocity_correction);
+        pairs += velocity_filter<Dim>(view_of(fluid), neighbors.fluid_fluid, theta, method, fluid.velocity_correction);
     }
 
     /// With the filter's correction of the velocity first, in one go through memory.
@@ -224,11 +223,11 @@ struct Simulation<Dim>::Impl {
         {
             const auto scope = timer.measure(StepPhase::density_pass);
             std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
-            pairs += continuity<Dim>(view_of(fluid), neighbors.fluid_fluid, precision, fluid.density_rate);
+            pairs += continuity<Dim>(view_of(fluid), neighbors.fluid_fluid, method, fluid.density_rate);
         }
         if (!effects.has(Effect::fixed_wall)) return;
         const auto scope = timer.measure(StepPhase::wall_pass);
-        pairs += fixed_ghost_continuity<Dim>(view_of(fluid), view_of(state.wall), neighbors.fluid_wall, precision,
+        pairs += fixed_ghost_continuity<Dim>(view_of(fluid), view_of(state.wall), neighbors.fluid_wall, method,
                                              fluid.density_rate);
     }
 
@@ -237,8 +236,8 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::interface_pass);
         update_elements(state.solid.halfway_position, halfway_view_of(state.solid));
         const auto fluid = view_of(state.fluid), elements = view_of(state.elements);
-        add_interface_continuity<Dim>(fluid, elements, neighbors.fluid_element, state.fluid.density_rate);
-        add_interface_continuity<Dim>(fluid, elements, neighbors.image_element, state.fluid.density_rate);
+        add_interface_continuity<Dim>(fluid, elements, neighbors.fluid_element, method, state.fluid.density_rate);
+        add_interface_continuity<Dim>(fluid, elements, neighbors.image_element, method, state.fluid.density_rate);
     }
 
     void finish_fluid(double solid_motion) {
@@ -272,7 +271,7 @@ struct Simulation<Dim>::Impl {
         parallel_for(solid.owned, [&](std::size_t i) {
             solid.acceleration.set(i, coupled ? state.gravity + solid.interface_acceleration[i] : state.gravity);
         });
-        pairs += solid_momentum<Dim>(view_of(solid), neighbors.solid_solid, solid_terms, precision, solid.acceleration);
+        pairs += solid_momentum<Dim>(view_of(solid), neighbors.solid_solid, solid_terms, method, solid.acceleration);
     }
 
     void kick_solid(bool first) {
@@ -288,8 +287,8 @@ struct Simulation<Dim>::Impl {
         if (!effects.has(Effect::solid_filter)) return;
         const auto scope = timer.measure(StepPhase::filter_pass);
         auto& solid = state.solid;
-        pairs += velocity_filter<Dim>(view_of(solid), neighbors.solid_solid, scene.method.solid.velocity_filter,
-                                      precision, solid.velocity_correction);
+        pairs += velocity_filter<Dim>(view_of(solid), neighbors.solid_solid, scene.method.solid.velocity_filter, method,
+                                      solid.velocity_correction);
         parallel_for(solid.owned, [&](std::size_t i) {
             if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + solid.velocity_correction[i]);
         });
@@ -307,7 +306,7 @@ struct Simulation<Dim>::Impl {
         const auto scope = timer.measure(StepPhase::gradient_pass);
         auto& solid = state.solid;
         std::fill(solid.density_rate.begin(), solid.density_rate.end(), 0.0);
-        pairs += solid_rates<Dim>(view_of(solid), neighbors.solid_solid, precision, solid.density_rate,
+        pairs += solid_rates<Dim>(view_of(solid), neighbors.solid_solid, method, solid.density_rate,
                                   solid.velocity_gradient);
     }
 
@@ -321,7 +320,7 @@ struct Simulation<Dim>::Impl {
 
     Scene scene;
     Effects effects;
-    Precision precision;
+    PairMethod<Dim> method;
     State<Dim> state;
     std::vector<CourantLimit> limits;
     StepPlan plan;

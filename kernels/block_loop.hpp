@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/columns.hpp"
+#include "kernels/smoothing.hpp"
 #include "neighbor/isa.hpp"
 #include "neighbor/neighbor_list.hpp"
 
@@ -11,17 +12,27 @@ namespace sluice {
 /// dozen pairs, are single too.
 enum class Precision { full, mixed };
 
+/// How all pairs of a run are computed.
+template <int Dim>
+struct PairMethod {
+    Precision precision = Precision::full;
+    Smoothing<Dim> smoothing;
+
+    PairMethod(Precision p = Precision::full, Smoothing<Dim> w = {}) : precision(p), smoothing(w) {}
+};
+
 template <int Dim>
 struct BlockTask {
     ParticleView<Dim> a, b;  ///< queries, candidates
     ListView list;
+    Smoothing<Dim> smoothing;
 };
 
 /// Particles in a block.
 inline constexpr std::size_t block_particles = block_size * cluster_size;
 
 // A pass is a set of terms with their constants:
-//   dim, Smoothing; outputs, the numbers that it sums; reads_i, reads_j (kernels/columns.hpp); length, if not the mean;
+//   dim; outputs, the numbers that it sums; reads_i, reads_j (kernels/columns.hpp); length, if not the mean;
 //   always_full, if mixed precision will not do
 //   operator()(pair) → Vec<outputs, Real>
 //

@@ -25,14 +25,14 @@ constexpr Length length_of() {
 
 /// Sums of one register of i's own cluster over a row. OwnH: all its pairs have i's smoothing length.
 template <bool OwnH, class Pass, class Real, class FourJ, class SideI>
-SLUICE_INLINE void sum_row(const Pass& pass, const SideI& self, const FourJ* tile, const std::uint8_t* entry,
-                           const std::uint8_t* end, Vec<Pass::outputs, Real>& sum) {
+SLUICE_INLINE void sum_row(const Pass& pass, const Smoothing<Pass::dim>& smoothing, const SideI& self,
+                           const FourJ* tile, const std::uint8_t* entry, const std::uint8_t* end,
+                           Vec<Pass::outputs, Real>& sum) {
     constexpr int dim = Pass::dim, along_j = Real::along_j;
-    using Smoothing = typename Pass::Smoothing;
     using SideJ = Side<dim, Real, Pass::reads_j>;
     const Real own_h = self.smoothing_length();
-    const Real own_inverse_h = reciprocal(own_h), own_scale = kernel_scale<Smoothing, dim>(own_inverse_h);
-    const Real own_slope_scale = Real(Smoothing::slope_scale) * own_scale * own_inverse_h;
+    const Real own_inverse_h = reciprocal(own_h), own_scale = smoothing.scale(own_inverse_h);
+    const Real own_slope_scale = Real(smoothing.slope_scale) * own_scale * own_inverse_h;
     const Real smallest(std::numeric_limits<typename Real::Number>::min());
     for (; entry != end; ++entry)
         for (int half = 0; half < 4; half += along_j) {
@@ -48,10 +48,10 @@ SLUICE_INLINE void sum_row(const Pass& pass, const SideI& self, const FourJ* til
             const Real mean_h = length_of<Pass>() == Length::of_j ? other_h : Real(0.5) * (own_h + other_h);
             const Real h = OwnH ? own_h : mean_h;
             const Real inverse_h = OwnH ? own_inverse_h : reciprocal(h);
-            const Real scale = OwnH ? own_scale : kernel_scale<Smoothing, dim>(inverse_h);
-            const Real slope_scale = OwnH ? own_slope_scale : Real(Smoothing::slope_scale) * scale * inverse_h;
-            const Pair<dim, Smoothing, SideI, SideJ> pair{self, other,     x_ij,  r2,         inverse_sqrt(r2),
-                                                          h,    inverse_h, scale, slope_scale};
+            const Real scale = OwnH ? own_scale : smoothing.scale(inverse_h);
+            const Real slope_scale = OwnH ? own_slope_scale : Real(smoothing.slope_scale) * scale * inverse_h;
+            const Pair<dim, SideI, SideJ> pair{smoothing,        self, other,     x_ij,  r2,
+                                               inverse_sqrt(r2), h,    inverse_h, scale, slope_scale};
             const Vec<Pass::outputs, Real> value = pass(pair);
             unroll<Pass::outputs>([&](int k) __attribute__((always_inline)) { sum[k] += value[k]; });
         }
@@ -61,7 +61,9 @@ SLUICE_INLINE void sum_row(const Pass& pass, const SideI& self, const FourJ* til
 
 template <class Pass, class Number>
 void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, const Pass& given, double* sums) {
-    const Pass pass = given;  // a copy that nothing else can write to: its constants stay in registers
+    // Copies that nothing else can write to: their constants stay in registers.
+    const Pass pass = given;
+    const Smoothing<Pass::dim> smoothing = task.smoothing;
     constexpr int dim = Pass::dim, outputs = Pass::outputs;
     using Real = Pack<Number>;
     using FourI = Four<dim, Number, Pass::reads_i>;
@@ -97,9 +99,9 @@ void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, c
                 constexpr Length length = detail::length_of<Pass>();
                 const bool equal = list.equal_reach[block.queries.begin + q] != 0;
                 if (length == Length::of_i || (length == Length::mean && equal))
-                    detail::sum_row<true>(pass, self, tile, entry, end, sum);
+                    detail::sum_row<true>(pass, smoothing, self, tile, entry, end, sum);
                 else
-                    detail::sum_row<false>(pass, self, tile, entry, end, sum);
+                    detail::sum_row<false>(pass, smoothing, self, tile, entry, end, sum);
                 for (int k = 0; k < outputs; ++k)
                     add_block_sums<along_j>(sum[k], sums + (q * outputs + static_cast<Index>(k)) * 4 + g);
             }

@@ -9,13 +9,12 @@
 namespace sluice {
 
 template <int Dim>
-using InviscidMomentum = MomentumTerms<Dim, DefaultSmoothing<Dim>, SymmetricPressure>;
+using InviscidMomentum = MomentumTerms<Dim, SymmetricPressure>;
 template <int Dim>
-using ViscousMomentum = MomentumTerms<Dim, DefaultSmoothing<Dim>, SymmetricPressure, ArtificialViscosity>;
+using ViscousMomentum = MomentumTerms<Dim, SymmetricPressure, ArtificialViscosity>;
 template <int Dim>
 struct DensityRate : Continuity {
     static constexpr int dim = Dim, outputs = 1;
-    using Smoothing = DefaultSmoothing<Dim>;
 
     template <class Pair>
     [[gnu::always_inline]] Vec<1, typename Pair::Real> operator()(const Pair& ij) const {
@@ -27,7 +26,6 @@ struct DensityRate : Continuity {
 template <int Dim>
 struct FilterSums {
     static constexpr int dim = Dim, outputs = Dim + 1;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr unsigned reads_i = column::velocity | column::density, reads_j = reads_i | column::mass;
 
     template <class Pair>
@@ -46,7 +44,6 @@ struct FilterSums {
 template <int Dim>
 struct FluidRates {
     static constexpr int dim = Dim, outputs = Dim + 1;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr unsigned reads_i = ViscousMomentum<Dim>::reads_i | Continuity::reads_i;
     static constexpr unsigned reads_j = ViscousMomentum<Dim>::reads_j | Continuity::reads_j;
 

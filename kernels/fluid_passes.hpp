@@ -16,23 +16,23 @@ struct FluidTerms {
 /// acceleration += eq. (10) without gravity.
 template <int Dim>
 std::uint64_t fluid_momentum(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
-                             Precision precision, VectorField<Dim>& acceleration);
+                             const PairMethod<Dim>& method, VectorField<Dim>& acceleration);
 
 /// density_rate += eq. (8), for a fluid as for a solid.
 template <int Dim>
-std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, Precision precision,
+std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, const PairMethod<Dim>& method,
                          ScalarField& density_rate);
 
 /// Both of the above in one loop, for schemes that take both at the same instant.
 template <int Dim>
 std::uint64_t fluid_rates(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
-                          Precision precision, VectorField<Dim>& acceleration, ScalarField& density_rate);
+                          const PairMethod<Dim>& method, VectorField<Dim>& acceleration, ScalarField& density_rate);
 
 /// Velocity filter, eq. (16): correction_i = (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij, V_j = m_j/ρ̄_ij, the sum
 /// in the denominator with the particle itself, which must stand in its own list. Particles that are not listed get
 /// zero.
 template <int Dim>
 std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const NeighborList& list, double theta,
-                              Precision precision, VectorField<Dim>& correction);
+                              const PairMethod<Dim>& method, VectorField<Dim>& correction);
 
 }  // namespace sluice

@@ -10,7 +10,6 @@ namespace sluice {
 template <int Dim>
 struct ElementPressure {
     static constexpr int dim = Dim, outputs = 1;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_j;
     static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::pressure;
@@ -26,7 +25,6 @@ struct ElementPressure {
 template <int Dim>
 struct ElementWeights {
     static constexpr int dim = Dim, outputs = 1 + Dim;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_j;
     static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::velocity;
@@ -46,7 +44,6 @@ struct ElementWeights {
 template <int Dim>
 struct ForceShare {
     static constexpr int dim = Dim, outputs = Dim;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_i;
     static constexpr unsigned reads_i = 0, reads_j = column::shared_force;
@@ -61,7 +58,6 @@ struct ForceShare {
 template <int Dim>
 struct SurfaceIntegral {
     static constexpr int dim = Dim, outputs = Dim;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_i;
     static constexpr unsigned reads_i = 0, reads_j = column::area_normal;
@@ -76,7 +72,6 @@ struct SurfaceIntegral {
 template <int Dim>
 struct SurfaceFlux {
     static constexpr int dim = Dim, outputs = 1;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_i;
     static constexpr unsigned reads_i = column::velocity, reads_j = column::velocity | column::area_normal;

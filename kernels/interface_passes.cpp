@@ -19,16 +19,16 @@ Vec<Dim> total_of(const BlockTotals<Dim>& totals) {
 
 template <int Dim>
 void add_interface_pressure(const ParticleView<Dim>& elements, const ParticleView<Dim>& fluid, const NeighborList& list,
-                            ScalarField& pressure) {
-    sum_pairs(ElementPressure<Dim>{}, Precision::full, elements, fluid, list,
+                            const PairMethod<Dim>& method, ScalarField& pressure) {
+    sum_pairs(ElementPressure<Dim>{}, method, elements, fluid, list,
               [&](Index k, const Vec<1>& sum) { pressure[k] += sum[0]; });
 }
 
 template <int Dim>
 void interface_weights(const ParticleView<Dim>& elements, const ParticleView<Dim>& solid, const NeighborList& list,
-                       ScalarField& weight, VectorField<Dim>& velocity) {
+                       const PairMethod<Dim>& method, ScalarField& weight, VectorField<Dim>& velocity) {
     std::fill(weight.begin(), weight.end(), 0.0);
-    sum_pairs(ElementWeights<Dim>{}, Precision::full, elements, solid, list, [&](Index k, const Vec<Dim + 1>& sum) {
+    sum_pairs(ElementWeights<Dim>{}, method, elements, solid, list, [&](Index k, const Vec<Dim + 1>& sum) {
         weight[k] = sum[0];
         Vec<Dim> v;
         for (int c = 0; c < Dim; ++c) v[c] = sum[0] > 0 ? sum[1 + c] / sum[0] : 0.0;
@@ -38,9 +38,10 @@ void interface_weights(const ParticleView<Dim>& elements, const ParticleView<Dim
 
 template <int Dim>
 Vec<Dim> interface_force_on_solid(const ParticleView<Dim>& solid, const ParticleView<Dim>& elements,
-                                  const NeighborList& list, BlockTotals<Dim>& totals, VectorField<Dim>& acceleration) {
+                                  const NeighborList& list, const PairMethod<Dim>& method, BlockTotals<Dim>& totals,
+                                  VectorField<Dim>& acceleration) {
     totals.assign(list.blocks(), {});
-    sum_pairs_by_block(ForceShare<Dim>{}, Precision::full, solid, elements, list,
+    sum_pairs_by_block(ForceShare<Dim>{}, method, solid, elements, list,
                        [&](Index block, Index a, const Vec<Dim>& sum) {
                            const Vec<Dim> acceleration_a = (1 / solid.density[a]) * sum;
                            acceleration.set(a, acceleration_a);
@@ -51,10 +52,10 @@ Vec<Dim> interface_force_on_solid(const ParticleView<Dim>& solid, const Particle
 
 template <int Dim>
 Vec<Dim> add_interface_force_on_fluid(const ParticleView<Dim>& fluid, const ParticleView<Dim>& elements,
-                                      const NeighborList& list, BlockTotals<Dim>& totals,
+                                      const NeighborList& list, const PairMethod<Dim>& method, BlockTotals<Dim>& totals,
                                       VectorField<Dim>& acceleration) {
     totals.assign(list.blocks(), {});
-    sum_pairs_by_block(SurfaceIntegral<Dim>{}, Precision::full, fluid, elements, list,
+    sum_pairs_by_block(SurfaceIntegral<Dim>{}, method, fluid, elements, list,
                        [&](Index block, Index b, const Vec<Dim>& sum) {
                            const double volume = fluid.mass[b] / fluid.density[b];
                            const Vec<Dim> force = (2 * volume * fluid.pressure[b]) * sum;
@@ -66,22 +67,24 @@ Vec<Dim> add_interface_force_on_fluid(const ParticleView<Dim>& fluid, const Part
 
 template <int Dim>
 void add_interface_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& elements,
-                              const NeighborList& list, ScalarField& density_rate) {
-    sum_pairs(SurfaceFlux<Dim>{}, Precision::full, fluid, elements, list,
+                              const NeighborList& list, const PairMethod<Dim>& method, ScalarField& density_rate) {
+    sum_pairs(SurfaceFlux<Dim>{}, method, fluid, elements, list,
               [&](Index b, const Vec<1>& sum) { density_rate[b] -= 2 * fluid.density[b] * sum[0]; });
 }
 
 #define SLUICE_INSTANTIATE(Dim)                                                                                        \
     template void add_interface_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&, const NeighborList&, \
-                                              ScalarField&);                                                           \
+                                              const PairMethod<Dim>&, ScalarField&);                                   \
     template void interface_weights<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&, const NeighborList&,      \
-                                         ScalarField&, VectorField<Dim>&);                                             \
+                                         const PairMethod<Dim>&, ScalarField&, VectorField<Dim>&);                     \
     template Vec<Dim> interface_force_on_solid<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                \
-                                                    const NeighborList&, BlockTotals<Dim>&, VectorField<Dim>&);        \
+                                                    const NeighborList&, const PairMethod<Dim>&, BlockTotals<Dim>&,    \
+                                                    VectorField<Dim>&);                                                \
     template Vec<Dim> add_interface_force_on_fluid<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,            \
-                                                        const NeighborList&, BlockTotals<Dim>&, VectorField<Dim>&);    \
+                                                        const NeighborList&, const PairMethod<Dim>&,                   \
+                                                        BlockTotals<Dim>&, VectorField<Dim>&);                         \
     template void add_interface_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                    \
-                                                const NeighborList&, ScalarField&);
+                                                const NeighborList&, const PairMethod<Dim>&, ScalarField&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

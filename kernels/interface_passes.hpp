@@ -50,29 +50,30 @@ using BlockTotals = std::vector<Vec<Dim>>;
 /// reach of the elements and twice the particles' (CutOff).
 template <int Dim>
 void add_interface_pressure(const ParticleView<Dim>& elements, const ParticleView<Dim>& fluid, const NeighborList& list,
-                            ScalarField& pressure);
+                            const PairMethod<Dim>& method, ScalarField& pressure);
 
 /// Σ_a V_a W_ka for each element, and v_k of (d) from the solid's velocity column. An element that its solid has left
 /// behind has weight 0; nothing can take up a force on it, so the caller must take its area away.
 template <int Dim>
 void interface_weights(const ParticleView<Dim>& elements, const ParticleView<Dim>& solid, const NeighborList& list,
-                       ScalarField& weight, VectorField<Dim>& velocity);
+                       const PairMethod<Dim>& method, ScalarField& weight, VectorField<Dim>& velocity);
 
 /// acceleration of the solid = F_a/m_a (b) for listed particles, from the elements' shared_force = f_k/Σ_c V_c W_kc.
 /// Returns Σ_a F_a [N; N/m in 2D].
 template <int Dim>
 Vec<Dim> interface_force_on_solid(const ParticleView<Dim>& solid, const ParticleView<Dim>& elements,
-                                  const NeighborList& list, BlockTotals<Dim>& totals, VectorField<Dim>& acceleration);
+                                  const NeighborList& list, const PairMethod<Dim>& method, BlockTotals<Dim>& totals,
+                                  VectorField<Dim>& acceleration);
 
 /// acceleration of the fluid += F_b/m_b (c). Returns Σ_b F_b [N; N/m in 2D].
 template <int Dim>
 Vec<Dim> add_interface_force_on_fluid(const ParticleView<Dim>& fluid, const ParticleView<Dim>& elements,
-                                      const NeighborList& list, BlockTotals<Dim>& totals,
+                                      const NeighborList& list, const PairMethod<Dim>& method, BlockTotals<Dim>& totals,
                                       VectorField<Dim>& acceleration);
 
 /// density_rate of the fluid += (d).
 template <int Dim>
 void add_interface_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& elements,
-                              const NeighborList& list, ScalarField& density_rate);
+                              const NeighborList& list, const PairMethod<Dim>& method, ScalarField& density_rate);
 
 }  // namespace sluice

@@ -29,13 +29,14 @@ enum class Length { mean, of_i, of_j };
 /// Products are written so that what is known early is multiplied first: a loop's speed is that of its longest chain.
 ///
 /// A pair outside the support has W = 0 and ∇W = 0, and so has a particle with itself (∇W): terms need no test.
-template <int Dim, class Smoothing, class SideI, class SideJ>
+template <int Dim, class SideI, class SideJ>
 struct Pair {
     using Real = typename SideI::Real;
     using Vector = Vec<Dim, Real>;
     using Tensor = Vec<sym_components<Dim>, Real>;
 #define SLUICE_GETTER [[gnu::always_inline]]
 
+    const Smoothing<Dim>& smoothing;
     const SideI& side_i;
     const SideJ& side_j;
     Vector x_ij;
@@ -49,16 +50,16 @@ struct Pair {
     /// |x_ij|/h
     SLUICE_GETTER Real q() const { return (r2 * inverse_h) * inverse_r; }
     /// w(q), dimensionless
-    SLUICE_GETTER Real shape() const { return Smoothing::shape(q()); }
+    SLUICE_GETTER Real shape() const { return smoothing.shape(q()); }
     /// W_ij [1/m^Dim]
     SLUICE_GETTER Real w() const { return scale * shape(); }
     /// m_j W_ij
     SLUICE_GETTER Real m_w() const { return (scale * m_j()) * shape(); }
     /// ∇_i W_ij / x_ij, a scalar: (1/r) dW/dr
-    SLUICE_GETTER Real grad_w_over_x() const { return slope_scale * (inverse_r * Smoothing::reduced_slope(q())); }
+    SLUICE_GETTER Real grad_w_over_x() const { return slope_scale * (inverse_r * smoothing.reduced_slope(q())); }
     /// m_j ∇_i W_ij / x_ij
     SLUICE_GETTER Real m_grad_w_over_x() const {
-        return ((slope_scale * m_j()) * inverse_r) * Smoothing::reduced_slope(q());
+        return ((slope_scale * m_j()) * inverse_r) * smoothing.reduced_slope(q());
     }
 
     SLUICE_GETTER Vector v_i() const { return side_i.template tuple<column::velocity>(); }

@@ -17,10 +17,11 @@ inline constexpr std::uint64_t parallel_cluster_pairs = 256;
 /// store(block, i, Σ_j pass(ij)) for every listed particle. Blocks are dealt out by work. Returns the directed pairs
 /// inside the support.
 template <class Pass, class Store>
-std::uint64_t sum_pairs_by_block(const Pass& pass, Precision precision, const ParticleView<Pass::dim>& a,
-                                 const ParticleView<Pass::dim>& b, const NeighborList& list, const Store& store) {
-    const BlockLoop<Pass> loop = block_loop<Pass>(precision);
-    const BlockTask<Pass::dim> task{a, b, list.view()};
+std::uint64_t sum_pairs_by_block(const Pass& pass, const PairMethod<Pass::dim>& method,
+                                 const ParticleView<Pass::dim>& a, const ParticleView<Pass::dim>& b,
+                                 const NeighborList& list, const Store& store) {
+    const BlockLoop<Pass> loop = block_loop<Pass>(method.precision);
+    const BlockTask<Pass::dim> task{a, b, list.view(), method.smoothing};
 #pragma omp parallel if (list.cluster_pairs() > parallel_cluster_pairs)
     {
         double sums[block_particles * Pass::outputs];
@@ -45,18 +46,17 @@ std::uint64_t sum_pairs_by_block(const Pass& pass, Precision precision, const Pa
 
 /// store(i, Σ_j pass(ij)) for every listed particle.
 template <class Pass, class Store>
-std::uint64_t sum_pairs(const Pass& pass, Precision precision, const ParticleView<Pass::dim>& a,
+std::uint64_t sum_pairs(const Pass& pass, const PairMethod<Pass::dim>& method, const ParticleView<Pass::dim>& a,
                         const ParticleView<Pass::dim>& b, const NeighborList& list, const Store& store) {
-    return sum_pairs_by_block(pass, precision, a, b, list,
+    return sum_pairs_by_block(pass, method, a, b, list,
                               [&store](Index, Index i, const Vec<Pass::outputs>& sum) { store(i, sum); });
 }
 
 /// Accelerations Σ_j m_j T_ij ∇_i W_ij. A term returns its share of T: a symmetric tensor, or a scalar that stands for
 /// a multiple of the unit tensor. Terms that a scene lacks are not in the pack.
-template <int Dim, class SmoothingFunction, class... Terms>
+template <int Dim, class... Terms>
 struct MomentumTerms : Terms... {
     static constexpr int dim = Dim, outputs = Dim;
-    using Smoothing = SmoothingFunction;
     static constexpr unsigned reads_i = (Terms::reads_i | ...), reads_j = column::mass | (Terms::reads_j | ...);
 
     template <class Pair>
@@ -88,15 +88,15 @@ struct MomentumTerms : Terms... {
 
 /// out_i += Σ_j pass(ij)
 template <class Pass>
-std::uint64_t add_vectors(const Pass& pass, Precision precision, const ParticleView<Pass::dim>& a,
+std::uint64_t add_vectors(const Pass& pass, const PairMethod<Pass::dim>& method, const ParticleView<Pass::dim>& a,
                           const ParticleView<Pass::dim>& b, const NeighborList& list, VectorField<Pass::dim>& out) {
-    return sum_pairs(pass, precision, a, b, list,
+    return sum_pairs(pass, method, a, b, list,
                      [&out](Index i, const Vec<Pass::dim>& sum) { out.set(i, out[i] + sum); });
 }
 template <class Pass>
-std::uint64_t add_scalars(const Pass& pass, Precision precision, const ParticleView<Pass::dim>& a,
+std::uint64_t add_scalars(const Pass& pass, const PairMethod<Pass::dim>& method, const ParticleView<Pass::dim>& a,
                           const ParticleView<Pass::dim>& b, const NeighborList& list, ScalarField& out) {
-    return sum_pairs(pass, precision, a, b, list, [&out](Index i, const Vec<1>& sum) { out[i] += sum[0]; });
+    return sum_pairs(pass, method, a, b, list, [&out](Index i, const Vec<1>& sum) { out[i] += sum[0]; });
 }
 
 }  // namespace sluice

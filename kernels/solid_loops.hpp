@@ -10,14 +10,13 @@ namespace sluice {
 
 /// The stress with those of the other two that a scene calls for.
 template <int Dim, class... More>
-using StressDivergence = MomentumTerms<Dim, DefaultSmoothing<Dim>, SymmetricStress, More...>;
+using StressDivergence = MomentumTerms<Dim, SymmetricStress, More...>;
 
 /// dρ_i/dt of eq. (8), then G = Σ_j V_j (v_j − v_i) ⊗ ∇W and M = Σ_j V_j (x_j − x_i) ⊗ ∇W of eq. (15), row by row.
 template <int Dim>
 struct SolidRateSums {
     static constexpr int dim = Dim, outputs = 1 + 2 * Dim * Dim;
     static constexpr int G = 1, M = 1 + Dim * Dim;  ///< where they begin
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr unsigned reads_i = column::velocity, reads_j = reads_i | column::mass | column::density;
 
     template <class Pair>

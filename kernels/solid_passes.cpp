@@ -7,14 +7,14 @@ namespace sluice {
 
 template <int Dim>
 std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList& list, const SolidTerms& terms,
-                             Precision precision, VectorField<Dim>& acceleration) {
+                             const PairMethod<Dim>& method, VectorField<Dim>& acceleration) {
     const SymmetricStress stress;
     const ArtificialViscosity viscosity{terms.artificial_viscosity, terms.sound_speed};
     const auto tensile =
-        ArtificialStress::with<DefaultSmoothing<Dim>>(terms.h_over_d, terms.artificial_stress_exponent);
+        ArtificialStress::with<Dim>(method.smoothing, terms.h_over_d, terms.artificial_stress_exponent);
     const auto add = [&](const auto&... pack) {
-        const MomentumTerms<Dim, DefaultSmoothing<Dim>, std::decay_t<decltype(pack)>...> sum{pack...};
-        return add_vectors(sum, precision, solid, solid, list, acceleration);
+        const MomentumTerms<Dim, std::decay_t<decltype(pack)>...> sum{pack...};
+        return add_vectors(sum, method, solid, solid, list, acceleration);
     };
     const bool viscous = terms.artificial_viscosity != 0, corrected = terms.artificial_stress != 0;
     if (viscous && corrected) return add(stress, viscosity, tensile);
@@ -24,11 +24,11 @@ std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList&
 }
 
 template <int Dim>
-std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, Precision precision,
+std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, const PairMethod<Dim>& method,
                           ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient) {
     using Sums = SolidRateSums<Dim>;
     constexpr double smallest_determinant = 1e-3;
-    return sum_pairs(Sums{}, precision, solid, solid, list, [&](Index i, const Vec<Sums::outputs>& sum) {
+    return sum_pairs(Sums{}, method, solid, solid, list, [&](Index i, const Vec<Sums::outputs>& sum) {
         density_rate[i] += sum[0];
         Tensor<Dim> g, m;
         for (int k = 0; k < Dim * Dim; ++k) {
@@ -43,11 +43,11 @@ std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& li
     });
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                                                                     \
-    template std::uint64_t solid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const SolidTerms&,    \
-                                               Precision, VectorField<Dim>&);                                       \
-    template std::uint64_t solid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, Precision, ScalarField&, \
-                                            TupleField<Dim * Dim>&);
+#define SLUICE_INSTANTIATE(Dim)                                                                                    \
+    template std::uint64_t solid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const SolidTerms&,   \
+                                               const PairMethod<Dim>&, VectorField<Dim>&);                         \
+    template std::uint64_t solid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, const PairMethod<Dim>&, \
+                                            ScalarField&, TupleField<Dim * Dim>&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

@@ -19,7 +19,7 @@ struct SolidTerms {
 /// acceleration += eq. (11) without gravity.
 template <int Dim>
 std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList& list, const SolidTerms& terms,
-                             Precision precision, VectorField<Dim>& acceleration);
+                             const PairMethod<Dim>& method, VectorField<Dim>& acceleration);
 
 /// density_rate += eq. (8) and velocity_gradient = eq. (15), in one loop.
 ///
@@ -27,7 +27,7 @@ std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList&
 /// M = Σ_b V_b (x_b − x_a) ⊗ ∇_a W_ab it reads G = L M, so L = G M⁻¹: exact for every linear velocity field, at a free
 /// surface too. A particle with too few neighbours to define M (det M < 10⁻³, where a full support has 1) gets L = 0.
 template <int Dim>
-std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, Precision precision,
+std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, const PairMethod<Dim>& method,
                           ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient);
 
 }  // namespace sluice

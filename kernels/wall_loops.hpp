@@ -9,13 +9,11 @@ namespace sluice {
 template <int Dim>
 struct GhostPressure : FixedGhostPressure {
     static constexpr int dim = Dim, outputs = Dim;
-    using Smoothing = DefaultSmoothing<Dim>;
 };
 
 template <int Dim>
 struct GhostContinuity : FixedGhostContinuity {
     static constexpr int dim = Dim, outputs = 1;
-    using Smoothing = DefaultSmoothing<Dim>;
 
     template <class Pair>
     [[gnu::always_inline]] Vec<1, typename Pair::Real> operator()(const Pair& ij) const {
@@ -27,7 +25,6 @@ struct GhostContinuity : FixedGhostContinuity {
 template <int Dim>
 struct GhostPressureSums {
     static constexpr int dim = Dim, outputs = 2;
-    using Smoothing = DefaultSmoothing<Dim>;
     static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::pressure;
 
     Vec<Dim> gravity;  ///< [m/s²]

@@ -8,33 +8,35 @@ namespace sluice {
 
 template <int Dim>
 std::uint64_t fixed_ghost_pressure(const ParticleView<Dim>& wall, const ParticleView<Dim>& fluid,
-                                   const NeighborList& list, const Vec<Dim>& gravity, Precision precision,
+                                   const NeighborList& list, const Vec<Dim>& gravity, const PairMethod<Dim>& method,
                                    ScalarField& pressure) {
     std::fill(pressure.begin(), pressure.end(), 0.0);
-    return sum_pairs(GhostPressureSums<Dim>{gravity}, precision, wall, fluid, list, [&](Index i, const Vec<2>& sum) {
+    return sum_pairs(GhostPressureSums<Dim>{gravity}, method, wall, fluid, list, [&](Index i, const Vec<2>& sum) {
         pressure[i] = sum[0] > 0 ? std::max(sum[1] / sum[0], 0.0) : 0.0;
     });
 }
 
 template <int Dim>
 std::uint64_t fixed_ghost_force(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall, const NeighborList& list,
-                                Precision precision, VectorField<Dim>& acceleration) {
-    return add_vectors(GhostPressure<Dim>{}, precision, fluid, wall, list, acceleration);
+                                const PairMethod<Dim>& method, VectorField<Dim>& acceleration) {
+    return add_vectors(GhostPressure<Dim>{}, method, fluid, wall, list, acceleration);
 }
 
 template <int Dim>
 std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall,
-                                     const NeighborList& list, Precision precision, ScalarField& density_rate) {
-    return add_scalars(GhostContinuity<Dim>{}, precision, fluid, wall, list, density_rate);
+                                     const NeighborList& list, const PairMethod<Dim>& method,
+                                     ScalarField& density_rate) {
+    return add_scalars(GhostContinuity<Dim>{}, method, fluid, wall, list, density_rate);
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                                                                      \
-    template std::uint64_t fixed_ghost_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,             \
-                                                     const NeighborList&, const Vec<Dim>&, Precision, ScalarField&); \
-    template std::uint64_t fixed_ghost_force<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,                \
-                                                  const NeighborList&, Precision, VectorField<Dim>&);                \
-    template std::uint64_t fixed_ghost_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,           \
-                                                       const NeighborList&, Precision, ScalarField&);
+#define SLUICE_INSTANTIATE(Dim)                                                                                    \
+    template std::uint64_t fixed_ghost_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,           \
+                                                     const NeighborList&, const Vec<Dim>&, const PairMethod<Dim>&, \
+                                                     ScalarField&);                                                \
+    template std::uint64_t fixed_ghost_force<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,              \
+                                                  const NeighborList&, const PairMethod<Dim>&, VectorField<Dim>&); \
+    template std::uint64_t fixed_ghost_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,         \
+                                                       const NeighborList&, const PairMethod<Dim>&, ScalarField&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

@@ -13,17 +13,18 @@ namespace sluice {
 /// a smooth rigid wall pushes water but does not hold it. A ghost has no memory: with no fluid near, p_w = 0.
 template <int Dim>
 std::uint64_t fixed_ghost_pressure(const ParticleView<Dim>& wall, const ParticleView<Dim>& fluid,
-                                   const NeighborList& list, const Vec<Dim>& gravity, Precision precision,
+                                   const NeighborList& list, const Vec<Dim>& gravity, const PairMethod<Dim>& method,
                                    ScalarField& pressure);
 
 /// acceleration of the fluid += the ghosts' pressure (FixedGhostPressure).
 template <int Dim>
 std::uint64_t fixed_ghost_force(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall, const NeighborList& list,
-                                Precision precision, VectorField<Dim>& acceleration);
+                                const PairMethod<Dim>& method, VectorField<Dim>& acceleration);
 
 /// density_rate of the fluid += approach to the ghosts (FixedGhostContinuity).
 template <int Dim>
 std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall,
-                                     const NeighborList& list, Precision precision, ScalarField& density_rate);
+                                     const NeighborList& list, const PairMethod<Dim>& method,
+                                     ScalarField& density_rate);
 
 }  // namespace sluice

@@ -14,9 +14,9 @@ struct ArtificialStress {
     double inverse_shape_at_spacing = 0;  ///< 1/w(d/h)
     int exponent = 4;                     ///< q
 
-    template <class Smoothing>
-    static ArtificialStress with(double h_over_d, int exponent) {
-        return {1 / Smoothing::shape(1 / h_over_d), exponent};
+    template <int Dim>
+    static ArtificialStress with(const Smoothing<Dim>& smoothing, double h_over_d, int exponent) {
+        return {1 / smoothing.shape(1 / h_over_d), exponent};
     }
 
     /// f^q for q = 1 … 15 by squaring, without a loop: the exponent's bits are the same for all pairs.

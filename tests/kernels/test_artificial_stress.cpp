@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE_SIG("the correction turns with the frame", "[artificial_stres
 TEST_CASE("f is raised to the q-th power", "[artificial_stress]") {
     const double h_over_d = 1.5;
     for (int q = 1; q <= 15; ++q) {
-        const auto term = ArtificialStress::with<CubicSpline<2>>(h_over_d, q);
+        const auto term = ArtificialStress::with<2>({}, h_over_d, q);
         for (const double r_over_h : {0.1, 1 / h_over_d, 1.3}) {
             const double f = twin::w(2, r_over_h, 1) / twin::w(2, 1 / h_over_d, 1);
             CAPTURE(q, r_over_h);
@@ -140,6 +140,6 @@ TEST_CASE("f is raised to the q-th power", "[artificial_stress]") {
 
 TEST_CASE("f is one at the initial spacing", "[artificial_stress]") {
     for (const double h_over_d : {1.2, 1.5, 2.0})
-        CHECK(ArtificialStress::with<CubicSpline<2>>(h_over_d, 4)(UnitPair{CubicSpline<2>::shape(1 / h_over_d)})[0] ==
+        CHECK(ArtificialStress::with<2>({}, h_over_d, 4)(UnitPair{CubicSpline<2>::shape(1 / h_over_d)})[0] ==
               Approx(1).epsilon(1e-15));
 }

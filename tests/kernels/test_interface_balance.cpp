@@ -24,7 +24,7 @@ TEMPLATE_TEST_CASE_SIG("the weights by which a force is shared out add up to one
     IrregularInterface<Dim> s(6);
     const InterfaceLists<Dim> lists(s.elements, s.fluid, s.solid);
     auto& e = s.elements;
-    interface_weights<Dim>(e.view(), s.solid.view(), lists.element_solid, e.weight, e.velocity);
+    interface_weights<Dim>(e.view(), s.solid.view(), lists.element_solid, {}, e.weight, e.velocity);
     BlockTotals<Dim> totals;
     Vec<Dim> unit;
     unit[0] = 1;
@@ -33,7 +33,8 @@ TEMPLATE_TEST_CASE_SIG("the weights by which a force is shared out add up to one
         e.force = zeros<Dim>(e.size());
         e.force.set(k, unit);
         e.share_forces();
-        const Vec<Dim> sum = interface_force_on_solid<Dim>(s.solid.view(), e.view(), lists.solid_element, totals, a);
+        const Vec<Dim> sum =
+            interface_force_on_solid<Dim>(s.solid.view(), e.view(), lists.solid_element, {}, totals, a);
         CHECK(norm(sum - unit) < 1e-14);  // some ten shares of one
     }
 }
@@ -104,7 +105,7 @@ TEMPLATE_TEST_CASE_SIG("an element moves with the solid around it", "[interface]
         e.add(x, n);
     }
     const auto list = list_between<Dim>(e.position, {}, solid.position, solid.h);
-    interface_weights<Dim>(e.view(), solid.view(), list, e.weight, e.velocity);
+    interface_weights<Dim>(e.view(), solid.view(), list, {}, e.weight, e.velocity);
     for (std::size_t k = 0; k < e.size(); ++k)
         CHECK(e.velocity[k][1] == Approx(3 + 2 * e.position[k][0]).epsilon(1e-14));  // a mean of some fifty values
 }

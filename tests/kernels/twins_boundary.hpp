@@ -63,16 +63,16 @@ InterfaceResult<Dim> evaluate_interface(Elements<Dim>& e, const Particles<Dim>& 
                                         const InterfaceLists<Dim>& lists) {
     InterfaceResult<Dim> r{zeros<Dim>(solid.size()), zeros<Dim>(fluid.size()), ScalarField(fluid.size(), 0.0), {}, {}};
     std::fill(e.pressure.begin(), e.pressure.end(), 0.0);
-    add_interface_pressure<Dim>(e.view(), fluid.view(), lists.element_fluid, e.pressure);
-    interface_weights<Dim>(e.view(), solid.view(), lists.element_solid, e.weight, e.velocity);
+    add_interface_pressure<Dim>(e.view(), fluid.view(), lists.element_fluid, {}, e.pressure);
+    interface_weights<Dim>(e.view(), solid.view(), lists.element_solid, {}, e.weight, e.velocity);
     for (std::size_t k = 0; k < e.size(); ++k) e.force.set(k, -e.pressure[k] * e.area_normal[k]);
     e.share_forces();
     BlockTotals<Dim> totals;
     r.on_solid =
-        interface_force_on_solid<Dim>(solid.view(), e.view(), lists.solid_element, totals, r.solid_acceleration);
-    r.on_fluid =
-        add_interface_force_on_fluid<Dim>(fluid.view(), e.view(), lists.fluid_element, totals, r.fluid_acceleration);
-    add_interface_continuity<Dim>(fluid.view(), e.view(), lists.fluid_element, r.density_rate);
+        interface_force_on_solid<Dim>(solid.view(), e.view(), lists.solid_element, {}, totals, r.solid_acceleration);
+    r.on_fluid = add_interface_force_on_fluid<Dim>(fluid.view(), e.view(), lists.fluid_element, {}, totals,
+                                                   r.fluid_acceleration);
+    add_interface_continuity<Dim>(fluid.view(), e.view(), lists.fluid_element, {}, r.density_rate);
     return r;
 }
 
