@@ -10,6 +10,7 @@
 #include "engine/scene/scene.hpp"
 #include "engine/state/phases.hpp"
 #include "engine/step/energy_balance.hpp"
+#include "engine/step/interface_balance.hpp"
 #include "engine/step/phase_timer.hpp"
 #include "engine/step/step_plan.hpp"
 
@@ -21,12 +22,6 @@ struct WorkCount {
     std::uint64_t particle_steps = 0;  ///< fluid and solid particles advanced, the solid's by sub-steps
     std::uint64_t pairs = 0;           ///< directed pairs inside the support, summed over all pair passes
     std::uint64_t neighbour_builds = 0;
-};
-
-/// Momentum handed from fluid to solid in the last step [N], and what is left when both sides are added up.
-struct InterfaceBalance {
-    double force = 0;     ///< sum of the magnitudes of the element forces
-    double residual = 0;  ///< |force on solid + force on fluid + reaction of the mirror walls| / force; 0 if force = 0
 };
 
 template <int Dim>

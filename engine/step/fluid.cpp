@@ -1,0 +1,90 @@
+#include "engine/step/fluid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/step/balances.hpp"
+#include "engine/step/material_update.hpp"
+#include "neighbor/parallel.hpp"
+
+namespace sluice {
+
+template <int Dim>
+FluidPart<Dim>::FluidPart(StepContext<Dim>& context) : c_(context) {
+    auto& state = c_.state;
+    if (!state.water) return;
+    terms_ = {c_.scene.method.fluid.artificial_viscosity, state.water->eos.sound_speed};
+    max_speed_ = highest_speed(state.fluid);
+    update_fluid_pressure(state);
+    c_.neighbors.refresh_fluid_scalars();
+}
+
+template <int Dim>
+void FluidPart<Dim>::forces() {
+    if (!c_.has(Effect::fluid_pressure)) return;
+    const auto scope = c_.timer.measure(StepPhase::fluid_pass);
+    auto& fluid = c_.state.fluid;
+    const Vec<Dim> gravity = c_.state.gravity;
+    parallel_for(fluid.owned, [&](std::size_t i) { fluid.acceleration.set(i, gravity); });
+    c_.pairs += fluid_momentum<Dim>(view_of(fluid), c_.neighbors.fluid_fluid, terms_, c_.method, fluid.acceleration);
+}
+
+template <int Dim>
+void FluidPart<Dim>::kick(double interval) {
+    const auto scope = c_.timer.measure(StepPhase::update);
+    auto& fluid = c_.state.fluid;
+    parallel_for(fluid.owned,
+                 [&](std::size_t i) { fluid.velocity.set(i, fluid.velocity[i] + interval * fluid.acceleration[i]); });
+}
+
+template <int Dim>
+void FluidPart<Dim>::filter() {
+    if (!c_.has(Effect::velocity_filter)) return;
+    const auto scope = c_.timer.measure(StepPhase::filter_pass);
+    auto& fluid = c_.state.fluid;
+    c_.neighbors.refresh_fluid_velocities();
+    // Eq. (16) acts once per step of the paper's scheme, and what it dissipates in a given time depends on how often
+    // that is: a longer step takes as many of them at once.
+    const double theta = std::pow(c_.scene.method.fluid.velocity_filter, c_.plan.single_rate_steps);
+    c_.pairs +=
+        velocity_filter<Dim>(view_of(fluid), c_.neighbors.fluid_fluid, theta, c_.method, fluid.velocity_correction);
+}
+
+template <int Dim>
+void FluidPart<Dim>::drift_halfway() {
+    const auto scope = c_.timer.measure(StepPhase::update);
+    auto& fluid = c_.state.fluid;
+    const bool filtered = c_.has(Effect::velocity_filter);
+    const double half = 0.5 * c_.plan.dt;
+    parallel_for(fluid.owned, [&](std::size_t i) {
+        Vec<Dim> v = fluid.velocity[i];
+        if (filtered) fluid.velocity.set(i, v += fluid.velocity_correction[i]);
+        fluid.position.set(i, fluid.position[i] + half * v);
+    });
+    c_.neighbors.refresh_fluid_positions();
+    c_.neighbors.refresh_fluid_velocities();
+}
+
+template <int Dim>
+void FluidPart<Dim>::rates() {
+    if (!c_.has(Effect::fluid_pressure)) return;
+    const auto scope = c_.timer.measure(StepPhase::density_pass);
+    auto& fluid = c_.state.fluid;
+    std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
+    c_.pairs += continuity<Dim>(view_of(fluid), c_.neighbors.fluid_fluid, c_.method, fluid.density_rate);
+}
+
+template <int Dim>
+double FluidPart<Dim>::finish() {
+    const auto scope = c_.timer.measure(StepPhase::update);
+    const double speed = finish_fluid_step(c_.state, c_.plan.dt);
+    c_.neighbors.refresh_fluid_positions();
+    c_.neighbors.refresh_fluid_scalars();
+    max_speed_ = std::max(speed, max_speed_);
+    return c_.plan.dt * speed;
+}
+
+template class FluidPart<2>;
+template class FluidPart<3>;
+
+}  // namespace sluice

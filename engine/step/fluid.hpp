@@ -1,0 +1,38 @@
+// The fluid's part of a step.
+#pragma once
+
+#include "engine/step/context.hpp"
+#include "kernels/fluid_passes.hpp"
+
+namespace sluice {
+
+template <int Dim>
+class FluidPart {
+  public:
+    explicit FluidPart(StepContext<Dim>& context);
+
+    /// acceleration = gravity and eq. (10).
+    void forces();
+    /// v += a · interval [s]
+    void kick(double interval);
+    /// Eq. (16), for as many steps of the single-rate scheme as the step replaces.
+    void filter();
+    /// x += v Δt/2, with the filter's correction of the velocity first, in one go through memory.
+    void drift_halfway();
+    /// dρ/dt of eq. (8) among the fluid.
+    void rates();
+    /// x += v Δt/2, ρ += dρ/dt Δt, then the pressure. Returns how far particles have moved in the step. [m]
+    double finish();
+
+    double max_speed() const { return max_speed_; }  ///< highest |v| so far [m/s]
+
+  private:
+    StepContext<Dim>& c_;
+    FluidTerms terms_;
+    double max_speed_ = 0;
+};
+
+extern template class FluidPart<2>;
+extern template class FluidPart<3>;
+
+}  // namespace sluice

@@ -1,0 +1,35 @@
+// The solid of the paper, hypoelastic and updated-Lagrangian: its own steps within a step.
+#pragma once
+
+#include "engine/step/context.hpp"
+#include "kernels/solid_passes.hpp"
+
+namespace sluice {
+
+template <int Dim>
+class HypoelasticSolid {
+  public:
+    explicit HypoelasticSolid(StepContext<Dim>& context);
+
+    /// Goes through a step by the staggered explicit Euler scheme of the paper: velocities at n ± 1/2, everything else
+    /// at n; rates of density and stress are taken half-way. Returns a bound of how far particles have moved. [m]
+    double advance();
+
+  private:
+    double dt() const { return c_.plan.dt / c_.plan.substeps; }
+    void forces();
+    void kick();
+    void filter();
+    void drift_halfway();
+    void rates_halfway();
+    double finish();
+
+    StepContext<Dim>& c_;
+    SolidTerms terms_;
+    bool started_ = false;  ///< velocities stand at n − 1/2; at first they stand at 0
+};
+
+extern template class HypoelasticSolid<2>;
+extern template class HypoelasticSolid<3>;
+
+}  // namespace sluice

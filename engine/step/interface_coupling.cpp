@@ -1,0 +1,78 @@
+#include "engine/step/interface_coupling.hpp"
+
+#include <algorithm>
+
+namespace sluice {
+
+template <int Dim>
+void InterfaceCoupling<Dim>::forces() {
+    const auto scope = c_.timer.measure(StepPhase::interface_pass);
+    const Vec<Dim> on_solid = push_solid();
+    auto& fluid = c_.state.fluid;
+    const auto elements = view_of(c_.state.elements);
+    const Vec<Dim> on_fluid = add_interface_force_on_fluid<Dim>(view_of(fluid), elements, c_.neighbors.fluid_element,
+                                                                c_.method, block_totals_, fluid.acceleration);
+    add_interface_force_on_fluid<Dim>(view_of(fluid), elements, c_.neighbors.image_element, c_.method, block_totals_,
+                                      fluid.acceleration);
+    record_balance(on_solid, on_fluid);
+}
+
+template <int Dim>
+Vec<Dim> InterfaceCoupling<Dim>::push_solid() {
+    auto& e = c_.state.elements;
+    auto& solid = c_.state.solid;
+    update_elements(solid.position, view_of(solid));
+    std::fill(e.pressure.begin(), e.pressure.end(), 0.0);
+    std::fill(e.image_pressure.begin(), e.image_pressure.end(), 0.0);
+    const auto elements = view_of(e), fluid = view_of(c_.state.fluid);
+    add_interface_pressure<Dim>(elements, fluid, c_.neighbors.element_fluid, c_.method, e.pressure);
+    add_interface_pressure<Dim>(elements, fluid, c_.neighbors.element_image, c_.method, e.image_pressure);
+    for (std::size_t k = 0; k < e.owned; ++k) {
+        e.pressure[k] += e.image_pressure[k];
+        e.force.set(k, -e.pressure[k] * e.area_normal[k]);
+        e.shared_force.set(k, e.solid_weight[k] > 0 ? (1 / e.solid_weight[k]) * e.force[k] : Vec<Dim>{});
+    }
+    for (auto& column : solid.interface_acceleration.c) std::fill(column.begin(), column.end(), 0.0);
+    return interface_force_on_solid<Dim>(view_of(solid), elements, c_.neighbors.solid_element, c_.method, block_totals_,
+                                         solid.interface_acceleration);
+}
+
+/// What fluid and solid give each other must add up to nothing, but for what images of the fluid, that is the mirror
+/// walls, give to the solid.
+template <int Dim>
+void InterfaceCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<Dim>& on_fluid) {
+    const auto& e = c_.state.elements;
+    Vec<Dim> sum = on_solid + on_fluid;
+    double magnitude = 0;
+    for (std::size_t k = 0; k < e.owned; ++k) {
+        sum += e.image_pressure[k] * e.area_normal[k];
+        magnitude += norm(e.force[k]);
+    }
+    balance_.force = magnitude;
+    if (magnitude > 0) balance_.residual = std::max(balance_.residual, norm(sum) / magnitude);
+}
+
+template <int Dim>
+void InterfaceCoupling<Dim>::rates() {
+    const auto scope = c_.timer.measure(StepPhase::interface_pass);
+    update_elements(c_.state.solid.halfway_position, halfway_view_of(c_.state.solid));
+    const auto fluid = view_of(c_.state.fluid), elements = view_of(c_.state.elements);
+    ScalarField& rate = c_.state.fluid.density_rate;
+    add_interface_continuity<Dim>(fluid, elements, c_.neighbors.fluid_element, c_.method, rate);
+    add_interface_continuity<Dim>(fluid, elements, c_.neighbors.image_element, c_.method, rate);
+}
+
+template <int Dim>
+void InterfaceCoupling<Dim>::update_elements(const VectorField<Dim>& solid_position, const ParticleView<Dim>& solid) {
+    auto& e = c_.state.elements;
+    if constexpr (Dim == 2) c_.state.surface.update(solid_position, c_.neighbors.solid_index_of_id(), e);
+    interface_weights<Dim>(view_of(e), solid, c_.neighbors.element_solid, c_.method, e.solid_weight, e.velocity);
+    for (std::size_t k = 0; k < e.owned; ++k)
+        if (e.solid_weight[k] == 0) e.area_normal.set(k, {});  // torn off its body
+    c_.neighbors.refresh_elements();
+}
+
+template class InterfaceCoupling<2>;
+template class InterfaceCoupling<3>;
+
+}  // namespace sluice
