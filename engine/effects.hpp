@@ -1,4 +1,5 @@
-// Which effects a scene calls for, and why: one table from which loops, allocation, output and messages follow.
+// Which effects a scene calls for, and why: loops, allocation, output and messages follow from one table
+// (engine/effect_table.cpp).
 #pragma once
 
 #include <array>
@@ -12,26 +13,31 @@ namespace sluice {
 
 enum class Effect {
     fluid_pressure,
-    fluid_viscosity,
+    artificial_viscosity,
     velocity_filter,
     solid_stress,
     solid_viscosity,
     artificial_stress,
     solid_filter,
     interface_force,
+    extrapolated_pressure,
     mirror_wall,
     fixed_wall,
     clamp,
     gravity,
     variable_resolution,
+    adaptive_step,
+    solid_substeps,
 };
-inline constexpr std::size_t effect_count = 13;
+inline constexpr std::size_t effect_count = 16;
 
 /// One row of the table.
 struct EffectInfo {
     Effect effect;
+    std::string_view key;       ///< in [effects] and summary.json
     std::string_view name;      ///< in the field's standard terms
     std::string_view equation;  ///< source
+    std::string_view fields;    ///< columns that it needs, as "phase.column phase.column"
 };
 
 /// The decision for one effect in one scene.
@@ -43,9 +49,12 @@ struct EffectChoice {
 
 class Effects {
   public:
+    /// Throws SceneError where [effects] asks for what cannot be.
     explicit Effects(const Scene& scene);
     bool has(Effect e) const { return choices_[static_cast<std::size_t>(e)].on; }
     const std::array<EffectChoice, effect_count>& all() const { return choices_; }
+    /// Whether an effect that is on needs this column of this phase ("fluid", "solid", "wall", "elements").
+    bool needs(std::string_view phase, std::string_view column) const;
 
   private:
     std::array<EffectChoice, effect_count> choices_;

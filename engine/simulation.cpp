@@ -19,33 +19,37 @@ struct Simulation<Dim>::Impl {
         : scene(s),
           effects(scene),
           state(place_particles<Dim>(scene, effects)),
-          limits(courant_limits_of(scene, state)),
-          neighbors(state, effects, scene.method.smoothing_length),
-          context{scene,
-                  effects,
-                  state,
-                  neighbors,
-                  scene.method.precision == "mixed" ? Precision::mixed : Precision::full,
-                  plan_steps(scene, limits, state.water && state.rubber)},
+          planner(scene, effects, courant_limits_of(scene, state)),
+          smoothing(scene.method.smoothing_function),
+          neighbors(state, effects, scene.method.smoothing_length, smoothing.support),
+          context{scene, effects, state, neighbors, pair_method(), StepPlan{}},
           fluid(context),
           walls(context),
           solid(context),
           interface(context) {
+        context.plan = planner.next(fluid.speed(), norm(state.gravity));
         const double dt = context.plan.dt, of_solid = highest_speed(state.solid);
         neighbors.expect_motion(dt * fluid.max_speed(), dt * of_solid, dt / context.plan.substeps * of_solid);
         update_neighbors();
         forces();
     }
 
-    /// Velocities at n ± 1/2, everything else at n [Antoci2007]. Rates of density and stress are taken half-way, at the
-    /// positions that belong to the velocities. Forces are those of the end of the last step.
+    /// Velocities at n ± 1/2, everything else at n. Rates of density are taken half-way, at the positions that belong
+    /// to the velocities; forces are those of the end of the last step.
+    ///   staggered Euler [Antoci2007]: between steps velocities stand at n − 1/2
+    ///   kick-drift-kick: they are brought on to n, where viscous forces of the next step and the output see them
     ///
-    /// With more than one sub-step the solid goes through the step at its own rate under the interface's force of
+    /// With more than one sub-step the solid goes through the step at its own rate under the fluid's force of
     /// time n; the fluid's continuity then sees the solid's mean velocity over the step, at its place half-way. So both
     /// sides exchange the same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs to
-    /// the motion that the fluid sees. With one sub-step this is the paper's scheme.
+    /// the motion that the fluid sees. With one sub-step and staggered Euler this is the paper's scheme.
     void step() {
-        fluid.kick(steps == 0 ? 0.5 * context.plan.dt : context.plan.dt);  // the first brings v from time 0 to 1/2
+        const double before = context.plan.dt;
+        if (steps > 0) context.plan = planner.next(fluid.speed(), fluid.acceleration());
+        const double dt = context.plan.dt;
+        const bool synchronous = scene.method.integrator == Integrator::kick_drift_kick;
+        // The first kick brings v from time 0 to 1/2.
+        fluid.kick(steps == 0 || synchronous ? 0.5 * dt : planner.adaptive() ? 0.5 * (before + dt) : dt);
         fluid.filter();
         fluid.drift_halfway();
         const double solid_motion = effects.has(Effect::solid_stress) ? advance_solid() : 0.0;
@@ -54,7 +58,10 @@ struct Simulation<Dim>::Impl {
         neighbors.add_motion(fluid_motion, solid_motion);
         update_neighbors();
         forces();
+        if (synchronous) fluid.kick(0.5 * dt);
         ++steps;
+        solid_steps += static_cast<std::uint64_t>(context.plan.substeps);
+        time = planner.adaptive() ? time + dt : static_cast<double>(steps) * dt;
     }
 
     void forces() {
@@ -87,10 +94,15 @@ struct Simulation<Dim>::Impl {
         }
     }
 
+    PairMethod<Dim> pair_method() const {
+        return {scene.method.precision == "mixed" ? Precision::mixed : Precision::full, smoothing};
+    }
+
     Scene scene;
     Effects effects;
     State<Dim> state;
-    std::vector<CourantLimit> limits;
+    StepPlanner planner;
+    Smoothing<Dim> smoothing;
     Neighborhood<Dim> neighbors;
     StepContext<Dim> context;
     FluidPart<Dim> fluid;
@@ -98,6 +110,8 @@ struct Simulation<Dim>::Impl {
     HypoelasticSolid<Dim> solid;
     InterfaceCoupling<Dim> interface;
     std::uint64_t steps = 0;
+    std::uint64_t solid_steps = 0;
+    double time = 0;
 };
 
 template <int Dim>
@@ -112,7 +126,7 @@ void Simulation<Dim>::step() {
 
 template <int Dim>
 double Simulation<Dim>::time() const {
-    return static_cast<double>(impl_->steps) * impl_->context.plan.dt;
+    return impl_->time;
 }
 template <int Dim>
 double Simulation<Dim>::time_step() const {
@@ -124,7 +138,7 @@ int Simulation<Dim>::solid_substeps() const {
 }
 template <int Dim>
 const std::vector<CourantLimit>& Simulation<Dim>::courant_limits() const {
-    return impl_->limits;
+    return impl_->planner.limits();
 }
 template <int Dim>
 const Scene& Simulation<Dim>::scene() const {
@@ -153,9 +167,9 @@ const InterfaceElements<Dim>& Simulation<Dim>::interface() const {
 
 template <int Dim>
 WorkCount Simulation<Dim>::work() const {
-    const auto& [steps, substeps] = std::pair(impl_->steps, static_cast<std::uint64_t>(impl_->context.plan.substeps));
-    const std::uint64_t moved = impl_->state.fluid.owned + substeps * impl_->state.solid.owned;
-    return {steps, steps * moved, impl_->context.pairs, impl_->neighbors.builds()};
+    const auto& s = *impl_;
+    const std::uint64_t moved = s.steps * s.state.fluid.owned + s.solid_steps * s.state.solid.owned;
+    return {s.steps, moved, s.context.pairs, s.neighbors.builds()};
 }
 template <int Dim>
 const PhaseTimer& Simulation<Dim>::timer() const {

@@ -79,8 +79,10 @@ void add_quality(Json& json, const Simulation<Dim>& simulation, const RunRecord&
 
 void add_effects(Json& json, const Effects& effects) {
     for (const EffectChoice& choice : effects.all())
-        json[std::string(choice.info.name)] = {
-            {"on", choice.on}, {"why", choice.why}, {"equation", std::string(choice.info.equation)}};
+        json[std::string(choice.info.key)] = {{"on", choice.on},
+                                              {"name", std::string(choice.info.name)},
+                                              {"why", choice.why},
+                                              {"equation", std::string(choice.info.equation)}};
 }
 
 void add_probes(Json& json, const RunRecord& record) {

@@ -1,3 +1,4 @@
+#include "engine/effect_table.hpp"
 #include "engine/scene/reader_parts.hpp"
 
 namespace sluice {
@@ -5,10 +6,36 @@ namespace {
 
 constexpr NumberRule filter_rule{"a number in (0, 1]", [](double v) { return v > 0 && v <= 1; }};
 
-// Antoci, Gallati & Sibilla 2007: eq. (16) in place of viscosity in the fluid; eqs. (11, 12, 14) in the solid.
-constexpr MediumMethod paper_fluid{.velocity_filter = 0.92, .artificial_viscosity = 0};
-constexpr MediumMethod paper_solid{
-    .velocity_filter = 1, .artificial_viscosity = 1.0, .artificial_stress = 0.3, .artificial_stress_exponent = 4};
+/// The paper to the letter [Antoci2007]: eq. (16) in place of viscosity in the fluid; eqs. (11, 12, 14) in the solid.
+Method paper_method() {
+    Method m;
+    m.preset = Preset::paper;
+    m.fluid = {.velocity_filter = 0.92, .artificial_viscosity = 0};
+    m.solid = {
+        .velocity_filter = 1, .artificial_viscosity = 1.0, .artificial_stress = 0.3, .artificial_stress_exponent = 4};
+    return m;
+}
+
+/// The best that we know (README: presets).
+Method modern_method() {
+    Method m;
+    m.preset = Preset::modern;
+    m.smoothing_function = SmoothingFunction::wendland_c2;
+    m.integrator = Integrator::kick_drift_kick;
+    m.step_size = StepSize::adaptive;
+    m.coupling = Coupling::extrapolated_pressure;
+    m.precision = "mixed";
+    m.multi_rate = true;
+    m.fluid = {.velocity_filter = 1, .artificial_viscosity = 0.02};
+    m.solid = {.velocity_filter = 1, .artificial_viscosity = 0};
+    return m;
+}
+
+/// One of `names`, which stand for an enumeration's values in their order; `to` is kept if the key is absent.
+template <class Enum>
+void read_choice(TomlTable& table, const std::string& key, const std::vector<std::string>& names, Enum& to) {
+    if (const auto v = table.get(key)) to = static_cast<Enum>(v.choice(names));
+}
 
 void read_fluid(TomlTable& method, MediumMethod& fluid) {
     const TomlValue value = method.get("fluid");
@@ -30,28 +57,49 @@ void read_solid(TomlTable& method, MediumMethod& solid) {
     table.finish();
 }
 
+void read_time(TomlTable& table, Method& method) {
+    read_choice(table, "integrator", {"staggered-euler", "kick-drift-kick"}, method.integrator);
+    read_choice(table, "step_size", {"fixed", "adaptive"}, method.step_size);
+    if (const auto v = table.get("courant"))
+        method.courant = v.number({"a number in (0, 2]", [](double c) { return c > 0 && c <= 2; }});
+    if (const auto v = table.get("time_step")) method.time_step = v.number(positive);
+    if (const auto v = table.get("time_stepping")) method.multi_rate = v.choice({"single-rate", "multi-rate"}) == 1;
+}
+
 }  // namespace
 
 void read_method(TomlTable& root) {
     TomlTable table(root.get("method"));
     Method& method = root.scene().method;
-    // The one preset there is; its constants can be changed one by one.
-    if (const auto v = table.get("preset")) v.choice({"paper"});
-    method.fluid = paper_fluid;
-    method.solid = paper_solid;
+    // A preset sets every choice; each can then be changed by itself.
+    Preset preset = method.preset;
+    read_choice(table, "preset", {"paper", "modern"}, preset);
+    method = preset == Preset::paper ? paper_method() : modern_method();
     method.spacing = table.get("spacing").number(positive);
+    read_choice(table, "smoothing_function", {"cubic-spline", "wendland-c2", "wendland-c4", "quintic-spline"},
+                method.smoothing_function);
     if (const auto v = table.get("smoothing_length"))
         method.smoothing_length = v.number({"a number in [1, 3]", [](double s) { return s >= 1 && s <= 3; }});
-    if (const auto v = table.get("courant"))
-        method.courant = v.number({"a number in (0, 2]", [](double c) { return c > 0 && c <= 2; }});
-    if (const auto v = table.get("time_step")) method.time_step = v.number(positive);
+    read_choice(table, "coupling", {"interface-force", "extrapolated-pressure"}, method.coupling);
     const std::vector<std::string> precisions{"double", "mixed"};
     if (const auto v = table.get("precision")) method.precision = precisions[v.choice(precisions)];
-    if (const auto v = table.get("time_stepping")) method.multi_rate = v.choice({"single-rate", "multi-rate"}) == 1;
+    read_time(table, method);
     if (const auto v = table.get("mach_limit")) method.mach_limit = v.number(positive);
     if (const auto v = table.get("expected_speed")) method.expected_speed = v.number(positive);
     read_fluid(table, method.fluid);
     read_solid(table, method.solid);
+    table.finish();
+}
+
+void read_effects(TomlTable& root) {
+    const TomlValue value = root.get("effects");
+    if (!value) return;
+    TomlTable table(value);
+    for (const EffectRow& row : effect_table()) {
+        const std::string key(row.info.key);
+        if (const auto v = table.get(key))
+            root.scene().switches[key] = static_cast<Switch>(v.choice({"auto", "on", "off"}));
+    }
     table.finish();
 }
 

@@ -63,6 +63,7 @@ void read_scene(TomlTable& root) {
     if (const auto v = root.get("gravity")) scene.gravity = v.point();
     read_constants(root);
     read_method(root);
+    read_effects(root);
     read_materials(root);
     read_bodies(root);
     read_walls(root);

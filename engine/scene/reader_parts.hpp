@@ -8,6 +8,7 @@
 namespace sluice {
 
 void read_method(TomlTable& root);
+void read_effects(TomlTable& root);
 void read_materials(TomlTable& root);
 void read_bodies(TomlTable& root);
 void read_walls(TomlTable& root);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/geometry/shape.hpp"
+#include "kernels/smoothing.hpp"
 
 namespace sluice {
 
@@ -73,8 +74,19 @@ struct MediumMethod {
     int artificial_stress_exponent = 4;  ///< q of eq. (11)
 };
 
+enum class Preset { paper, modern };
+enum class Integrator { staggered_euler, kick_drift_kick };
+enum class StepSize { fixed, adaptive };
+/// How fluid and solid feel each other: by a pressure on the elements of their interface, or by a pressure that is
+/// extrapolated from the fluid to the solid's particles.
+enum class Coupling { interface_force, extrapolated_pressure };
+
 struct Method {
-    std::string preset = "paper";
+    Preset preset = Preset::paper;
+    SmoothingFunction smoothing_function = SmoothingFunction::cubic_spline;
+    Integrator integrator = Integrator::staggered_euler;
+    StepSize step_size = StepSize::fixed;
+    Coupling coupling = Coupling::interface_force;
     double spacing = 0;                ///< reference spacing d [m]; bodies may state their own
     double smoothing_length = 1.5;     ///< h / d
     double courant = 0.9;              ///< dt = courant · h / c0, smallest over the media
@@ -86,6 +98,9 @@ struct Method {
     MediumMethod fluid;
     MediumMethod solid;
 };
+
+/// What a scene may say of an effect in [effects].
+enum class Switch { automatic, on, off };
 
 struct OutputTimes {
     double end = 0;             ///< simulated time to run to [s]
@@ -109,6 +124,7 @@ struct Scene {
     std::vector<Wall> walls;
     std::vector<Probe> probes;
     Method method;
+    std::map<std::string, Switch> switches;  ///< of effects, by their keys; absent = automatic
     OutputTimes output;
     KeyLines lines;
 

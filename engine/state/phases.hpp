@@ -40,10 +40,15 @@ struct SolidPhase : PhaseBase<Dim> {
     Array<std::uint8_t> clamped;              ///< 1 = held fixed
     VectorField<Dim> velocity_correction;     ///< velocity filter, only if the scene filters its solids [m/s]
 
-    // Only if there is an interface: its force, constant over a step, and the motion over the step that it goes with.
+    // Only if it meets a fluid: the fluid's force, constant over a step, and the motion over the step that it goes
+    // with.
     VectorField<Dim> interface_acceleration;  ///< [m/s²]
     VectorField<Dim> halfway_position;        ///< (x^n + x^(n+1))/2; x^n while the step is under way [m]
     VectorField<Dim> mean_velocity;           ///< (x^(n+1) − x^n)/Δt [m/s]
+
+    // Only if the fluid's pressure is extrapolated to it.
+    ScalarField volume;             ///< m/ρ [m³; m² in 2D]
+    ScalarField boundary_pressure;  ///< of the fluid around it [Pa]
 };
 
 /// Layers of fixed ghosts of rigid walls; their pressure is taken from the fluid in front of them.

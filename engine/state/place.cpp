@@ -111,25 +111,14 @@ void place_wall(const Scene& scene, std::size_t number, const Packing& packing, 
     }
 }
 
-/// Fields that start at zero, and only those that the effects need.
-template <int Dim>
-void allocate_rates(const Effects& effects, State<Dim>& state) {
-    FluidPhase<Dim>& fluid = state.fluid;
-    fluid.owned = fluid.id.size();
-    fluid.acceleration.resize(fluid.owned);
-    fluid.density_rate.assign(fluid.owned, 0);
-    fluid.pressure_over_rho2.assign(fluid.owned, 0);
-    if (effects.has(Effect::velocity_filter)) fluid.velocity_correction.resize(fluid.owned);
-    SolidPhase<Dim>& solid = state.solid;
-    solid.owned = solid.id.size();
-    solid.acceleration.resize(solid.owned);
-    solid.density_rate.assign(solid.owned, 0);
-    solid.deviatoric_stress.resize(solid.owned);
-    solid.stress_over_rho2.resize(solid.owned);
-    solid.velocity_gradient.resize(solid.owned);
-    if (effects.has(Effect::artificial_stress)) solid.artificial_stress.resize(solid.owned);
-    if (effects.has(Effect::solid_filter)) solid.velocity_correction.resize(solid.owned);
-    state.wall.owned = state.wall.id.size();
+/// Gives every column that the effects need its size; those that placing has not filled start at zero.
+template <class Phase>
+void allocate(const Effects& effects, std::string_view name, std::size_t particles, Phase& phase) {
+    phase.owned = particles;
+    visit_columns(phase, [&](std::string_view column, auto& values) {
+        values.resize(effects.needs(name, column) ? particles : 0);
+        values.shrink_to_fit();
+    });
 }
 
 /// A solid particle's number within its body, and the elements around the bodies that fluid can reach.
@@ -144,9 +133,6 @@ void place_interface(const Scene& scene, const std::vector<Packing>& packings, S
         }
         state.surface.allocate(state.elements);
         state.elements.smoothing_length.assign(state.elements.owned, state.solid.smoothing_length[0]);
-        state.solid.interface_acceleration.resize(state.solid.owned);
-        state.solid.halfway_position.resize(state.solid.owned);
-        state.solid.mean_velocity.resize(state.solid.owned);
     } else {
         scene.fail("dimension",
                    "found 3 for a scene with both fluid and solid bodies; the interface between them is "
@@ -174,16 +160,14 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     check_geometry(scene, bodies, walls);
     check_mach(scene, bodies);
     State<Dim> state;
-    state.gravity = to_vec<Dim>(scene.gravity);
+    if (effects.has(Effect::gravity)) state.gravity = to_vec<Dim>(scene.gravity);
     for (std::size_t b = 0; b < bodies.size(); ++b) place_body(scene, b, bodies[b], state);
     for (std::size_t w = 0; w < walls.size(); ++w) place_wall(scene, w, walls[w], state);
-    allocate_rates(effects, state);
+    allocate(effects, "fluid", state.fluid.id.size(), state.fluid);
+    allocate(effects, "solid", state.solid.id.size(), state.solid);
+    allocate(effects, "wall", state.wall.id.size(), state.wall);
     if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
     find_smoothing_range(state);
-    const auto trim = [](auto& column) { column.shrink_to_fit(); };
-    visit_columns(state.fluid, trim);
-    visit_columns(state.solid, trim);
-    visit_columns(state.wall, trim);
     return state;
 }
 

@@ -21,7 +21,7 @@ Array<std::uint8_t>& buffer_for(Buffers& b, const Array<std::uint8_t>&) { return
 template <class Phase>
 void reorder_columns(Phase& phase, const Array<Index>& order) {
     Buffers buffers;
-    visit_columns(phase, [&](auto& column) {
+    visit_columns(phase, [&](std::string_view, auto& column) {
         if (column.empty()) return;
         auto& moved = buffer_for(buffers, column);
         moved.resize(order.size());

@@ -1,5 +1,8 @@
-// Every column of a phase, for what treats them all alike: reordering, counting memory.
+// Every column of a phase, with its name, for what treats them all alike: allocation, reordering,
+// counting memory.
 #pragma once
+
+#include <string_view>
 
 #include "engine/state/phases.hpp"
 
@@ -8,65 +11,70 @@ namespace sluice {
 namespace detail {
 
 template <int N, class F>
-void visit_columns(TupleField<N>& field, F&& f) {
-    for (auto& column : field.c) f(column);
+void visit_tuple(std::string_view name, TupleField<N>& field, F&& f) {
+    for (auto& column : field.c) f(name, column);
 }
 
 template <int Dim, class F>
 void visit_base(PhaseBase<Dim>& p, F&& f) {
-    visit_columns(p.position, f);
-    visit_columns(p.velocity, f);
-    visit_columns(p.acceleration, f);
-    f(p.density), f(p.density_rate), f(p.pressure), f(p.mass), f(p.smoothing_length), f(p.id), f(p.body);
+    visit_tuple("position", p.position, f);
+    visit_tuple("velocity", p.velocity, f);
+    visit_tuple("acceleration", p.acceleration, f);
+    f("density", p.density), f("density_rate", p.density_rate), f("pressure", p.pressure), f("mass", p.mass);
+    f("smoothing_length", p.smoothing_length), f("id", p.id), f("body", p.body);
 }
 
 }  // namespace detail
 
-/// f(Array<T>&) for each column of the phase, allocated or not.
+/// f(name, Array<T>&) for each column of the phase, allocated or not; the columns of a tuple share its name.
 template <int Dim, class F>
 void visit_columns(FluidPhase<Dim>& p, F&& f) {
     detail::visit_base(p, f);
-    f(p.pressure_over_rho2);
-    detail::visit_columns(p.velocity_correction, f);
+    f("pressure_over_rho2", p.pressure_over_rho2);
+    detail::visit_tuple("velocity_correction", p.velocity_correction, f);
 }
 
 template <int Dim, class F>
 void visit_columns(SolidPhase<Dim>& p, F&& f) {
     detail::visit_base(p, f);
-    detail::visit_columns(p.deviatoric_stress, f);
-    detail::visit_columns(p.stress_over_rho2, f);
-    detail::visit_columns(p.artificial_stress, f);
-    detail::visit_columns(p.velocity_gradient, f);
-    detail::visit_columns(p.velocity_correction, f);
-    detail::visit_columns(p.interface_acceleration, f);
-    detail::visit_columns(p.halfway_position, f);
-    detail::visit_columns(p.mean_velocity, f);
-    f(p.clamped);
+    detail::visit_tuple("deviatoric_stress", p.deviatoric_stress, f);
+    detail::visit_tuple("stress_over_rho2", p.stress_over_rho2, f);
+    detail::visit_tuple("artificial_stress", p.artificial_stress, f);
+    detail::visit_tuple("velocity_gradient", p.velocity_gradient, f);
+    detail::visit_tuple("velocity_correction", p.velocity_correction, f);
+    detail::visit_tuple("interface_acceleration", p.interface_acceleration, f);
+    detail::visit_tuple("halfway_position", p.halfway_position, f);
+    detail::visit_tuple("mean_velocity", p.mean_velocity, f);
+    f("clamped", p.clamped);
+    f("volume", p.volume), f("boundary_pressure", p.boundary_pressure);
 }
 
 template <int Dim, class F>
 void visit_columns(WallPhase<Dim>& p, F&& f) {
-    detail::visit_columns(p.position, f);
-    f(p.pressure), f(p.volume), f(p.smoothing_length), f(p.id), f(p.body);
+    detail::visit_tuple("position", p.position, f);
+    f("pressure", p.pressure), f("volume", p.volume), f("smoothing_length", p.smoothing_length);
+    f("id", p.id), f("body", p.body);
 }
 
 template <int Dim, class F>
 void visit_columns(InterfaceElements<Dim>& p, F&& f) {
-    detail::visit_columns(p.position, f);
-    detail::visit_columns(p.area_normal, f);
-    detail::visit_columns(p.velocity, f);
-    detail::visit_columns(p.force, f);
-    detail::visit_columns(p.shared_force, f);
-    f(p.pressure), f(p.image_pressure), f(p.solid_weight), f(p.smoothing_length), f(p.body);
+    detail::visit_tuple("position", p.position, f);
+    detail::visit_tuple("area_normal", p.area_normal, f);
+    detail::visit_tuple("velocity", p.velocity, f);
+    detail::visit_tuple("force", p.force, f);
+    detail::visit_tuple("shared_force", p.shared_force, f);
+    f("pressure", p.pressure), f("image_pressure", p.image_pressure), f("solid_weight", p.solid_weight);
+    f("smoothing_length", p.smoothing_length), f("body", p.body);
 }
 
 /// Bytes that the phase's columns hold.
 template <class Phase>
 std::size_t column_bytes(const Phase& phase) {
     std::size_t bytes = 0;
-    visit_columns(const_cast<Phase&>(phase), [&](auto& column) {  // the visitor only asks for the capacity
-        bytes += column.capacity() * sizeof(column[0]);
-    });
+    visit_columns(const_cast<Phase&>(phase),
+                  [&](std::string_view, auto& column) {  // the visitor only asks for the capacity
+                      bytes += column.capacity() * sizeof(column[0]);
+                  });
     return bytes;
 }
 

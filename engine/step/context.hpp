@@ -18,7 +18,7 @@ struct StepContext {
     State<Dim>& state;
     Neighborhood<Dim>& neighbors;
     PairMethod<Dim> method;
-    StepPlan plan;
+    StepPlan plan;  ///< of the step under way
     PhaseTimer timer{};
     std::uint64_t pairs = 0;  ///< directed pairs inside the support so far, over all passes
 

@@ -14,7 +14,7 @@ FluidPart<Dim>::FluidPart(StepContext<Dim>& context) : c_(context) {
     auto& state = c_.state;
     if (!state.water) return;
     terms_ = {c_.scene.method.fluid.artificial_viscosity, state.water->eos.sound_speed};
-    max_speed_ = highest_speed(state.fluid);
+    max_speed_ = speed_ = highest_speed(state.fluid);
     update_fluid_pressure(state);
     c_.neighbors.refresh_fluid_scalars();
 }
@@ -33,8 +33,14 @@ template <int Dim>
 void FluidPart<Dim>::kick(double interval) {
     const auto scope = c_.timer.measure(StepPhase::update);
     auto& fluid = c_.state.fluid;
-    parallel_for(fluid.owned,
-                 [&](std::size_t i) { fluid.velocity.set(i, fluid.velocity[i] + interval * fluid.acceleration[i]); });
+    const auto kick_one = [&](std::size_t i) {
+        fluid.velocity.set(i, fluid.velocity[i] + interval * fluid.acceleration[i]);
+    };
+    if (!c_.has(Effect::adaptive_step)) return parallel_for(fluid.owned, kick_one);
+    acceleration_ = std::sqrt(nonnegative_max(fluid.owned, [&](std::size_t i) {
+        kick_one(i);
+        return norm2(fluid.acceleration[i]);
+    }));
 }
 
 template <int Dim>
@@ -77,11 +83,11 @@ void FluidPart<Dim>::rates() {
 template <int Dim>
 double FluidPart<Dim>::finish() {
     const auto scope = c_.timer.measure(StepPhase::update);
-    const double speed = finish_fluid_step(c_.state, c_.plan.dt);
+    speed_ = finish_fluid_step(c_.state, c_.plan.dt);
     c_.neighbors.refresh_fluid_positions();
     c_.neighbors.refresh_fluid_scalars();
-    max_speed_ = std::max(speed, max_speed_);
-    return c_.plan.dt * speed;
+    max_speed_ = std::max(speed_, max_speed_);
+    return c_.plan.dt * speed_;
 }
 
 template class FluidPart<2>;

@@ -13,7 +13,7 @@ class FluidPart {
 
     /// acceleration = gravity and eq. (10).
     void forces();
-    /// v += a · interval [s]
+    /// v += a · interval [s]. Notes the highest acceleration if steps adapt to it.
     void kick(double interval);
     /// Eq. (16), for as many steps of the single-rate scheme as the step replaces.
     void filter();
@@ -24,12 +24,14 @@ class FluidPart {
     /// x += v Δt/2, ρ += dρ/dt Δt, then the pressure. Returns how far particles have moved in the step. [m]
     double finish();
 
-    double max_speed() const { return max_speed_; }  ///< highest |v| so far [m/s]
+    double max_speed() const { return max_speed_; }        ///< highest |v| so far [m/s]
+    double speed() const { return speed_; }                ///< highest |v| of the last step [m/s]
+    double acceleration() const { return acceleration_; }  ///< highest |a| of the last kick [m/s²]
 
   private:
     StepContext<Dim>& c_;
     FluidTerms terms_;
-    double max_speed_ = 0;
+    double max_speed_ = 0, speed_ = 0, acceleration_ = 0;
 };
 
 extern template class FluidPart<2>;

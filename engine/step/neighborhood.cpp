@@ -25,10 +25,11 @@ SkinAccount skin_for(const ScalarField& h) { return SkinAccount(skin_over_h * sm
 }  // namespace
 
 template <int Dim>
-Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d)
+Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d, double support)
     : state_(state),
       effects_(effects),
       cell_over_h_(std::pow(cell_particles, 1.0 / Dim) / h_over_d),
+      support_(support),
       fluid_skin_(skin_for(state.fluid.smoothing_length)),
       solid_skin_(skin_for(state.solid.smoothing_length)),
       coupling_skin_(skin_over_h * state.min_h, state.min_h) {
@@ -110,9 +111,9 @@ template <int Dim>
 void Neighborhood<Dim>::make_fluid_images() {
     auto& fluid = state_.fluid;
     // A particle at distance s from the plane has its image at −s; the nearest that can feel it stands on the plane.
-    const double farthest = state_.max_h + fluid_skin_.skin();
+    const double farthest = half_support() * state_.max_h + fluid_skin_.skin();
     fluid_images_.create(state_.mirrors, fluid.position, fluid.owned,
-                         [&](std::size_t i) { return fluid.smoothing_length[i] + farthest; });
+                         [&](std::size_t i) { return half_support() * fluid.smoothing_length[i] + farthest; });
     const std::size_t n = fluid.position.size();
     fluid_images_.extend(fluid.smoothing_length, fluid.owned);
     fluid_image_grid_.build(fluid.position, fluid.owned, n, cell_over_h_ * largest(fluid.smoothing_length),
@@ -131,9 +132,9 @@ template <int Dim>
 void Neighborhood<Dim>::make_wall_images() {
     if (!effects_.has(Effect::mirror_wall)) return;
     auto& wall = state_.wall;
-    const double farthest = state_.max_h + fluid_skin_.skin();
+    const double farthest = half_support() * state_.max_h + fluid_skin_.skin();
     wall_images_.create(state_.mirrors, wall.position, wall.owned,
-                        [&](std::size_t i) { return wall.smoothing_length[i] + farthest; });
+                        [&](std::size_t i) { return half_support() * wall.smoothing_length[i] + farthest; });
     wall_images_.extend(wall.smoothing_length, wall.owned);
     wall_image_grid_.build(wall.position, wall.owned, wall.position.size(),
                            cell_over_h_ * largest(wall.smoothing_length), wall.smoothing_length);
@@ -147,7 +148,7 @@ void Neighborhood<Dim>::make_wall_images() {
 template <int Dim>
 void Neighborhood<Dim>::make_element_images() {
     auto& elements = state_.elements;
-    const double farthest = 2 * state_.max_h + coupling_skin_.skin();
+    const double farthest = support_ * state_.max_h + coupling_skin_.skin();
     element_images_.create(state_.mirrors, elements.position, elements.owned, [&](std::size_t) { return farthest; });
     const std::size_t n = elements.position.size();
     elements.area_normal.resize(n);
@@ -167,7 +168,7 @@ void Neighborhood<Dim>::build_fluid() {
     if (effects_.has(Effect::mirror_wall)) make_fluid_images();
     const std::array<const Grid*, 2> fluids{&fluid_grid_, &fluid_image_grid_};
     const std::array<const Grid*, 2> walls{&wall_grid_, &wall_image_grid_};
-    const CutOff cut{fluid_skin_.skin()};
+    const CutOff cut = pair_cut(fluid_skin_.skin());
     search_.build(fluid_grid_, fluids, cut, fluid_fluid);
     if (effects_.has(Effect::fixed_wall)) {
         search_.build(fluid_grid_, walls, cut, fluid_wall);
@@ -183,7 +184,7 @@ void Neighborhood<Dim>::prune_fluid() {
     using Set = typename NeighborSearch<Dim>::Set;
     const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
     const Set wall{state_.wall.position, state_.wall.smoothing_length};
-    const CutOff cut{fluid_skin_.prune()};
+    const CutOff cut = pair_cut(fluid_skin_.prune());
     search_.prune(fluid, fluid, cut, fluid_fluid);
     if (!effects_.has(Effect::fixed_wall)) return;
     search_.prune(fluid, wall, cut, fluid_wall);
@@ -195,7 +196,7 @@ void Neighborhood<Dim>::build_solid() {
     if (state_.solid.owned == 0) return;
     sort_solid();
     const std::array<const Grid*, 1> solids{&solid_grid_};
-    search_.build(solid_grid_, solids, {solid_skin_.skin()}, solid_solid);
+    search_.build(solid_grid_, solids, pair_cut(solid_skin_.skin()), solid_solid);
     solid_skin_.was_built();
     prune_solid();
 }
@@ -203,7 +204,7 @@ void Neighborhood<Dim>::build_solid() {
 template <int Dim>
 void Neighborhood<Dim>::prune_solid() {
     const typename NeighborSearch<Dim>::Set solid{state_.solid.position, state_.solid.smoothing_length};
-    search_.prune(solid, solid, {solid_skin_.prune()}, solid_solid);
+    search_.prune(solid, solid, pair_cut(solid_skin_.prune()), solid_solid);
 }
 
 template <int Dim>
@@ -217,8 +218,8 @@ void Neighborhood<Dim>::build_coupling() {
     const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
     const Set solid{state_.solid.position, state_.solid.smoothing_length};
     const Set faces{elements.position, elements.smoothing_length};
-    // Between an element and a particle: the particle's support 2h.
-    const CutOff of_target{coupling_skin_.skin(), 0, 2}, of_query{coupling_skin_.skin(), 2, 0};
+    // Between an element and a particle: the particle's support.
+    const CutOff of_target{coupling_skin_.skin(), 0, support_}, of_query{coupling_skin_.skin(), support_, 0};
     const auto list = [&](const Grid& query, const Set& a, const Grid& target, const Set& b, const CutOff& cut,
                           NeighborList& to) {
         const std::array<const Grid*, 1> targets{&target};

@@ -14,8 +14,8 @@ namespace sluice {
 template <int Dim>
 class Neighborhood {
   public:
-    /// h_over_d: smoothing length over spacing, for the size of the cells.
-    Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d);
+    /// h_over_d: smoothing length over spacing, for the size of the cells. support: of the smoothing function, in h.
+    Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d, double support);
 
     /// Tells how far particles will about move in the first step, and a solid's in its first sub-step. [m]
     void expect_motion(double of_fluid, double of_solid, double of_solid_substep);
@@ -50,6 +50,9 @@ class Neighborhood {
   private:
     using Grid = ClusterGrid<Dim>;
 
+    /// Pairs meet within the support of their mean smoothing length.
+    double half_support() const { return 0.5 * support_; }
+    CutOff pair_cut(double skin) const { return {skin, half_support(), half_support()}; }
     bool refresh_solid();
     void build_fluid();
     void build_solid();
@@ -65,6 +68,7 @@ class Neighborhood {
     State<Dim>& state_;
     const Effects& effects_;
     double cell_over_h_;
+    double support_;
     SkinAccount fluid_skin_, solid_skin_, coupling_skin_;
     std::uint64_t builds_ = 0;
     std::vector<Index> solid_index_of_id_;

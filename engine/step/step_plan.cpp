@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/effects.hpp"
 #include "engine/state/state.hpp"
 
 namespace sluice {
@@ -12,23 +13,35 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>
     std::vector<CourantLimit> limits;
     const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium) {
         if (!medium) return;
-        const auto& h = phase.smoothing_length;
-        limits.push_back(
-            {medium->name, scene.method.courant * *std::min_element(h.begin(), h.end()) / medium->eos.sound_speed});
+        const double h = *std::min_element(phase.smoothing_length.begin(), phase.smoothing_length.end());
+        const double c0 = medium->eos.sound_speed;
+        limits.push_back({medium->name, scene.method.courant * h / c0, h, c0});
     };
     add(state.fluid, state.water);
     add(state.solid, state.rubber);
     return limits;
 }
 
-StepPlan plan_steps(const Scene& scene, const std::vector<CourantLimit>& limits, bool both_media) {
-    const auto least =
-        std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.dt < b.dt; });
-    const bool multi_rate = scene.method.multi_rate && both_media;
-    const double dt = scene.method.time_step.value_or(multi_rate ? limits.front().dt : least->dt);
-    if (!multi_rate) return {dt};
-    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / limits.back().dt * (1 - 1e-12))));
-    return {dt, substeps, std::max(1.0, dt / least->dt)};
+StepPlanner::StepPlanner(const Scene& scene, const Effects& effects, std::vector<CourantLimit> limits)
+    : limits_(std::move(limits)),
+      adaptive_(effects.has(Effect::adaptive_step)),
+      multi_rate_(effects.has(Effect::solid_substeps)),
+      stated_(scene.method.time_step.value_or(0)) {}
+
+StepPlan StepPlanner::next(double speed, double acceleration) {
+    double fluid = limits_.front().dt;
+    if (adaptive_) {
+        const CourantLimit& limit = limits_.front();
+        fluid *= limit.sound_speed / (limit.sound_speed + speed);
+        if (acceleration > 0) fluid = std::min(fluid, 0.25 * std::sqrt(limit.h / acceleration));
+    }
+    const double solid = limits_.back().dt, least = std::min(fluid, solid);
+    double dt = stated_ > 0 ? stated_ : multi_rate_ ? fluid : least;
+    if (adaptive_ && last_ > 0) dt = std::min(dt, 1.1 * last_);
+    last_ = dt;
+    if (!multi_rate_) return {dt};
+    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / solid * (1 - 1e-12))));
+    return {dt, substeps, std::max(1.0, dt / least)};
 }
 
 template std::vector<CourantLimit> courant_limits_of<2>(const Scene&, const State<2>&);

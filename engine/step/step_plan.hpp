@@ -7,13 +7,16 @@
 namespace sluice {
 
 struct Scene;
+class Effects;
 template <int Dim>
 struct State;
 
 /// The largest stable step of one medium.
 struct CourantLimit {
-    std::string medium;  ///< material's name
-    double dt = 0;       ///< courant · h / c0 [s]
+    std::string medium;      ///< material's name
+    double dt = 0;           ///< courant · h / c0 [s]
+    double h = 0;            ///< the medium's smallest smoothing length [m]
+    double sound_speed = 0;  ///< c0 [m/s]
 };
 
 /// Those of the media present, the fluid's first, each with its smallest h.
@@ -27,8 +30,27 @@ struct StepPlan {
     double single_rate_steps = 1;  ///< how many steps of the single-rate scheme it takes the place of
 };
 
+/// Plans each step before it is taken.
+///
 /// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
 /// limit asks for. A step that the scene sets is taken as it is, and cut likewise.
-StepPlan plan_steps(const Scene& scene, const std::vector<CourantLimit>& limits, bool both_media);
+///
+/// Adaptive: the fluid's limit is courant · h/(c0 + |v|) and ¼ √(h/|a|) [Monaghan 1992], the smaller, from the highest
+/// speed and acceleration of the last step; from one step to the next it grows by a tenth at the most.
+class StepPlanner {
+  public:
+    StepPlanner(const Scene& scene, const Effects& effects, std::vector<CourantLimit> limits);
+
+    /// speed, acceleration: the highest of the fluid [m/s, m/s²]
+    StepPlan next(double speed, double acceleration);
+    bool adaptive() const { return adaptive_; }
+    const std::vector<CourantLimit>& limits() const { return limits_; }
+
+  private:
+    std::vector<CourantLimit> limits_;
+    bool adaptive_, multi_rate_;
+    double stated_ = 0;  ///< the scene's own step; 0 = none [s]
+    double last_ = 0;    ///< [s]
+};
 
 }  // namespace sluice

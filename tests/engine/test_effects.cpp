@@ -25,7 +25,7 @@ TEST_CASE("A scene of water alone has no effect and no field of a solid") {
     const Effects& effects = simulation.effects();
     REQUIRE(effects.has(Effect::fluid_pressure));
     REQUIRE(effects.has(Effect::velocity_filter));
-    for (const Effect e : {Effect::fluid_viscosity, Effect::solid_stress, Effect::solid_viscosity,
+    for (const Effect e : {Effect::artificial_viscosity, Effect::solid_stress, Effect::solid_viscosity,
                            Effect::artificial_stress, Effect::interface_force, Effect::mirror_wall, Effect::fixed_wall,
                            Effect::clamp, Effect::gravity, Effect::variable_resolution})
         REQUIRE_FALSE(effects.has(e));

@@ -179,7 +179,7 @@ TEST_CASE("choices and names suggest the nearest", "[scene]") {
     CHECK(gate_error("kind = \"mirror\"", "kind = \"miror\"") ==
           "29: walls.bottom.kind: found \"miror\", expected one of \"mirror\", \"fixed\"; did you mean \"mirror\"?");
     CHECK(gate_error("preset = \"paper\"", "preset = \"new\"") ==
-          "6: method.preset: found \"new\", expected \"paper\"");
+          "6: method.preset: found \"new\", expected one of \"paper\", \"modern\"");
     CHECK(gate_error("courant = 0.5", "time_stepping = \"multi\"") ==
           "8: method.time_stepping: found \"multi\", expected one of \"single-rate\", \"multi-rate\"");
     CHECK(gate_error("courant = 0.5", "precision = \"single\"") ==

@@ -45,7 +45,7 @@ TEST_CASE("A rigidly rotating stressed body keeps its stress in the co-rotating 
     const Scene scene = scene_text::load(block("[\"0\", \"0\"]"));
     const Effects effects(scene);
     State<2> state = place_particles<2>(scene, effects);
-    Neighborhood<2> neighbors(state, effects, scene.method.smoothing_length);
+    Neighborhood<2> neighbors(state, effects, scene.method.smoothing_length, Smoothing<2>().support);
     auto& solid = state.solid;
     const Vec<3> initial{{3e4, -1e4, 2e4}};
     for (std::size_t i = 0; i < solid.owned; ++i) solid.deviatoric_stress.set(i, initial);

@@ -1,0 +1,154 @@
+#include "engine/effect_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sluice {
+namespace {
+
+using Verdict = Decision::Verdict;
+
+void add_name(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
+
+Decision needs_fluid(const SceneContent& c) {
+    return c.fluid ? Decision{Verdict::required, "fluid bodies: " + c.fluids}
+                   : Decision{Verdict::impossible, "no fluid body"};
+}
+Decision needs_solid(const SceneContent& c) {
+    return c.solid ? Decision{Verdict::required, "solid bodies: " + c.solids}
+                   : Decision{Verdict::impossible, "no solid body"};
+}
+
+/// Used if its medium is there and its constant differs from the value at which the term vanishes.
+Decision by_constant(const Decision& medium, std::string_view symbol, double value, double off_value) {
+    if (medium.verdict == Verdict::impossible) return medium;
+    return {value != off_value ? Verdict::used : Verdict::impossible, fmt::format("{} = {}", symbol, value)};
+}
+
+Decision meeting(const SceneContent& c, Coupling asked, const Method& method) {
+    if (!c.fluid || !c.solid) return {Verdict::impossible, c.fluid ? "no solid body" : "no fluid body"};
+    if (asked != method.coupling) return {Verdict::impossible, "method.coupling is another"};
+    return {Verdict::required, fmt::format("{} can meet {}", c.fluids, c.solids)};
+}
+
+// Columns.
+constexpr std::string_view fluid_columns =
+    "fluid.position fluid.velocity fluid.acceleration fluid.density fluid.density_rate fluid.pressure fluid.mass "
+    "fluid.smoothing_length fluid.id fluid.body fluid.pressure_over_rho2";
+constexpr std::string_view solid_columns =
+    "solid.position solid.velocity solid.acceleration solid.density solid.density_rate solid.pressure solid.mass "
+    "solid.smoothing_length solid.id solid.body solid.clamped solid.deviatoric_stress solid.stress_over_rho2 "
+    "solid.velocity_gradient";
+constexpr std::string_view element_columns =
+    "elements.position elements.area_normal elements.velocity elements.pressure elements.image_pressure "
+    "elements.solid_weight elements.force elements.shared_force elements.smoothing_length elements.body "
+    "solid.interface_acceleration solid.halfway_position solid.mean_velocity";
+constexpr std::string_view wall_columns =
+    "wall.position wall.pressure wall.volume wall.smoothing_length wall.id wall.body";
+
+const std::array<EffectRow, effect_count> table{{
+    {{Effect::fluid_pressure, "fluid_pressure", "fluid: continuity, pressure, linear equation of state",
+      "Antoci2007 eqs. 4, 8, 10", fluid_columns},
+     [](const Scene&, const SceneContent& c) { return needs_fluid(c); }},
+    {{Effect::artificial_viscosity, "artificial_viscosity", "fluid: artificial viscosity", "Antoci2007 eq. 12", ""},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_fluid(c), "alpha", s.method.fluid.artificial_viscosity, 0);
+     }},
+    {{Effect::velocity_filter, "velocity_filter", "fluid: velocity filter", "Antoci2007 eq. 16",
+      "fluid.velocity_correction"},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1);
+     }},
+    {{Effect::solid_stress, "solid_stress", "solid: continuity, hypoelastic stress with Jaumann rate",
+      "Antoci2007 eqs. 4, 5, 8, 11, 15", solid_columns},
+     [](const Scene&, const SceneContent& c) { return needs_solid(c); }},
+    {{Effect::solid_viscosity, "solid_viscosity", "solid: artificial viscosity", "Antoci2007 eq. 12", ""},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_solid(c), "alpha", s.method.solid.artificial_viscosity, 0);
+     }},
+    {{Effect::artificial_stress, "artificial_stress", "solid: artificial stress", "Antoci2007 eqs. 13, 14",
+      "solid.artificial_stress"},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_solid(c), "e", s.method.solid.artificial_stress, 0);
+     }},
+    {{Effect::solid_filter, "solid_filter", "solid: velocity filter", "Antoci2007 eq. 16", "solid.velocity_correction"},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_solid(c), "theta", s.method.solid.velocity_filter, 1);
+     }},
+    {{Effect::interface_force, "interface_force", "coupling: interface force, reaction, kinematic condition",
+      "Antoci2007 eqs. 24-30", element_columns},
+     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::interface_force, s.method); }},
+    {{Effect::extrapolated_pressure, "extrapolated_pressure",
+      "coupling: pressure extrapolated to the solid's particles", "Adami2012 eqs. 23, 27; Antoci2007 eq. 10",
+      "solid.boundary_pressure solid.volume solid.interface_acceleration solid.halfway_position solid.mean_velocity"},
+     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::extrapolated_pressure, s.method); }},
+    {{Effect::mirror_wall, "mirror_wall", "walls: mirrored ghosts (slip)", "Antoci2007 sect. 4", ""},
+     [](const Scene&, const SceneContent& c) {
+         if (!c.mirror) return Decision{Verdict::impossible, "no mirror wall"};
+         return c.fluid ? Decision{Verdict::required, "walls: " + c.mirrors}
+                        : Decision{Verdict::impossible, "no fluid body to mirror"};
+     }},
+    {{Effect::fixed_wall, "fixed_wall", "walls: layers of fixed ghosts", "Antoci2007 sect. 4; Adami2012 eq. 27",
+      wall_columns},
+     [](const Scene&, const SceneContent& c) {
+         if (!c.fixed) return Decision{Verdict::impossible, "no fixed wall"};
+         return c.fluid ? Decision{Verdict::required, "walls: " + c.fixed_walls}
+                        : Decision{Verdict::impossible, "no fluid body to hold"};
+     }},
+    {{Effect::clamp, "clamp", "solid: clamp", "Antoci2007 sect. 4", ""},
+     [](const Scene&, const SceneContent& c) {
+         return c.clamp ? Decision{Verdict::required, "bodies: " + c.clamps}
+                        : Decision{Verdict::impossible, "no clamped body"};
+     }},
+    {{Effect::gravity, "gravity", "gravity", "Antoci2007 eq. 2", ""},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.gravity) return Decision{Verdict::impossible, "gravity = 0"};
+         return Decision{Verdict::used, fmt::format("g = ({}, {}, {}) m/s2", s.gravity[0], s.gravity[1], s.gravity[2])};
+     }},
+    {{Effect::variable_resolution, "variable_resolution", "pairs of unequal size: mean smoothing length",
+      "kernels/pair.hpp", ""},
+     [](const Scene&, const SceneContent& c) {
+         return c.many_spacings ? Decision{Verdict::required, "bodies of different spacing"}
+                                : Decision{Verdict::impossible, "one spacing"};
+     }},
+    {{Effect::adaptive_step, "adaptive_step", "time: steps that follow speed and acceleration",
+      "Monaghan1992; engine/step/step_plan.hpp", ""},
+     [](const Scene& s, const SceneContent&) {
+         if (s.method.time_step) return Decision{Verdict::impossible, "method.time_step states it"};
+         return s.method.step_size == StepSize::adaptive ? Decision{Verdict::used, "method.step_size"}
+                                                         : Decision{Verdict::unused, "method.step_size = \"fixed\""};
+     }},
+    {{Effect::solid_substeps, "solid_substeps", "time: the solid at its own rate", "engine/step/step_plan.hpp", ""},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.fluid || !c.solid) return Decision{Verdict::impossible, "one medium"};
+         return s.method.multi_rate ? Decision{Verdict::used, "method.time_stepping"}
+                                    : Decision{Verdict::unused, "method.time_stepping = \"single-rate\""};
+     }},
+}};
+
+}  // namespace
+
+SceneContent content_of(const Scene& scene) {
+    SceneContent c;
+    double smallest = 1e300, largest = 0;
+    for (const Body& body : scene.bodies) {
+        const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
+        (is_fluid ? c.fluid : c.solid) = true;
+        add_name(is_fluid ? c.fluids : c.solids, body.name);
+        if (body.clamp) c.clamp = true, add_name(c.clamps, body.name);
+        smallest = std::min(smallest, body.spacing);
+        largest = std::max(largest, body.spacing);
+    }
+    c.many_spacings = largest > smallest * (1 + 1e-9);
+    for (const Wall& wall : scene.walls) {
+        (wall.kind == WallKind::mirror ? c.mirror : c.fixed) = true;
+        add_name(wall.kind == WallKind::mirror ? c.mirrors : c.fixed_walls, wall.name);
+    }
+    c.gravity = std::any_of(scene.gravity.begin(), scene.gravity.end(), [](double g) { return g != 0; });
+    return c;
+}
+
+std::span<const EffectRow> effect_table() { return table; }
+
+}  // namespace sluice

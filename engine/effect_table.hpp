@@ -1,0 +1,40 @@
+// The one table of effects: names, sources, fields, and the rules by which a scene calls for them.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "engine/effects.hpp"
+
+namespace sluice {
+
+/// What the rules look at.
+struct SceneContent {
+    bool fluid = false, solid = false, clamp = false, mirror = false, fixed = false, gravity = false;
+    bool many_spacings = false;
+    std::string fluids, solids, clamps, mirrors, fixed_walls;  ///< names, for messages
+};
+SceneContent content_of(const Scene& scene);
+
+/// A rule's answer.
+struct Decision {
+    enum class Verdict {
+        impossible,  ///< the scene has nothing for it to act on
+        unused,      ///< could act, but the scene does not call for it
+        used,        ///< the scene calls for it
+        required     ///< nor can it be left out
+    };
+    Verdict verdict;
+    std::string why;
+};
+
+struct EffectRow {
+    EffectInfo info;
+    Decision (*rule)(const Scene&, const SceneContent&);
+};
+
+/// In the order of the enumeration.
+std::span<const EffectRow> effect_table();
+
+}  // namespace sluice
