@@ -44,6 +44,10 @@ constexpr std::string_view element_columns =
     "elements.position elements.area_normal elements.velocity elements.pressure elements.image_pressure "
     "elements.solid_weight elements.force elements.shared_force elements.smoothing_length elements.body "
     "solid.interface_acceleration solid.halfway_position solid.mean_velocity";
+constexpr std::string_view boundary_columns =
+    "boundary.position boundary.velocity boundary.acceleration boundary.volume boundary.smoothing_length "
+    "boundary.force boundary.solid boundary.body solid.interface_acceleration solid.halfway_position "
+    "solid.mean_velocity solid.mean_acceleration";
 constexpr std::string_view wall_columns =
     "wall.position wall.pressure wall.volume wall.smoothing_length wall.id wall.body";
 
@@ -79,10 +83,9 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::interface_force, "interface_force", "coupling: interface force, reaction, kinematic condition",
       "Antoci2007 eqs. 24-30", element_columns},
      [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::interface_force, s.method); }},
-    {{Effect::extrapolated_pressure, "extrapolated_pressure",
-      "coupling: pressure extrapolated to the solid's particles", "Adami2012 eqs. 23, 27; Antoci2007 eq. 10",
-      "solid.boundary_pressure solid.volume solid.interface_acceleration solid.halfway_position solid.mean_velocity"},
-     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::extrapolated_pressure, s.method); }},
+    {{Effect::moving_boundary, "moving_boundary", "coupling: the solid's particles as moving boundary of the fluid",
+      "Adami2012 eq. 25; Zhang2021; kernels/terms/moving_boundary.hpp", boundary_columns},
+     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::moving_boundary, s.method); }},
     {{Effect::mirror_wall, "mirror_wall", "walls: mirrored ghosts (slip)", "Antoci2007 sect. 4", ""},
      [](const Scene&, const SceneContent& c) {
          if (!c.mirror) return Decision{Verdict::impossible, "no mirror wall"};

@@ -20,7 +20,7 @@ enum class Effect {
     artificial_stress,
     solid_filter,
     interface_force,
-    extrapolated_pressure,
+    moving_boundary,
     mirror_wall,
     fixed_wall,
     clamp,
@@ -53,7 +53,8 @@ class Effects {
     explicit Effects(const Scene& scene);
     bool has(Effect e) const { return choices_[static_cast<std::size_t>(e)].on; }
     const std::array<EffectChoice, effect_count>& all() const { return choices_; }
-    /// Whether an effect that is on needs this column of this phase ("fluid", "solid", "wall", "elements").
+    /// Whether an effect that is on needs this column of this phase ("fluid", "solid", "wall", "elements",
+    /// "boundary").
     bool needs(std::string_view phase, std::string_view column) const;
 
   private:

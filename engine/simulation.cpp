@@ -5,6 +5,7 @@
 #include "engine/errors.hpp"
 #include "engine/state/visit.hpp"
 #include "engine/step/balances.hpp"
+#include "engine/step/boundary_coupling.hpp"
 #include "engine/step/context.hpp"
 #include "engine/step/fluid.hpp"
 #include "engine/step/hypoelastic_solid.hpp"
@@ -26,7 +27,8 @@ struct Simulation<Dim>::Impl {
           fluid(context),
           walls(context),
           solid(context),
-          interface(context) {
+          interface(context),
+          boundary(context) {
         context.plan = planner.next(fluid.speed(), norm(state.gravity));
         const double dt = context.plan.dt, of_solid = highest_speed(state.solid);
         neighbors.expect_motion(dt * fluid.max_speed(), dt * of_solid, dt / context.plan.substeps * of_solid);
@@ -68,12 +70,14 @@ struct Simulation<Dim>::Impl {
         fluid.forces();
         walls.forces();
         if (effects.has(Effect::interface_force)) interface.forces();
+        if (effects.has(Effect::moving_boundary)) boundary.forces();
     }
 
     void rates() {
         fluid.rates();
         walls.rates();
         if (effects.has(Effect::interface_force)) interface.rates();
+        if (effects.has(Effect::moving_boundary)) boundary.rates();
     }
 
     double advance_solid() {
@@ -109,6 +113,7 @@ struct Simulation<Dim>::Impl {
     WallPart<Dim> walls;
     HypoelasticSolid<Dim> solid;
     InterfaceCoupling<Dim> interface;
+    BoundaryCoupling<Dim> boundary;
     std::uint64_t steps = 0;
     std::uint64_t solid_steps = 0;
     double time = 0;
@@ -166,6 +171,11 @@ const InterfaceElements<Dim>& Simulation<Dim>::interface() const {
 }
 
 template <int Dim>
+const BoundaryParticles<Dim>& Simulation<Dim>::boundary() const {
+    return impl_->state.boundary;
+}
+
+template <int Dim>
 WorkCount Simulation<Dim>::work() const {
     const auto& s = *impl_;
     const std::uint64_t moved = s.steps * s.state.fluid.owned + s.solid_steps * s.state.solid.owned;
@@ -190,12 +200,15 @@ Vec<Dim> Simulation<Dim>::force_on(std::size_t body) const {
     Vec<Dim> sum;
     for (std::size_t k = 0; k < e.owned; ++k)
         if (e.body[k] == body) sum += e.force[k];
+    const auto& b = impl_->state.boundary;
+    for (std::size_t k = 0; k < b.owned; ++k)
+        if (b.body[k] == body) sum += b.force[k];
     return sum;
 }
 
 template <int Dim>
 InterfaceBalance Simulation<Dim>::interface_balance() const {
-    return impl_->interface.balance();
+    return impl_->effects.has(Effect::moving_boundary) ? impl_->boundary.balance() : impl_->interface.balance();
 }
 template <int Dim>
 double Simulation<Dim>::max_speed() const {
@@ -209,7 +222,7 @@ template <int Dim>
 std::size_t Simulation<Dim>::memory_bytes() const {
     const auto& s = impl_->state;
     return column_bytes(s.fluid) + column_bytes(s.solid) + column_bytes(s.wall) + column_bytes(s.elements) +
-           impl_->neighbors.bytes();
+           column_bytes(s.boundary) + impl_->neighbors.bytes();
 }
 template <int Dim>
 const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {

@@ -47,6 +47,7 @@ class Simulation {
     const SolidPhase<Dim>& solid() const;
     const WallPhase<Dim>& wall() const;
     const InterfaceElements<Dim>& interface() const;
+    const BoundaryParticles<Dim>& boundary() const;
 
     WorkCount work() const;
     const PhaseTimer& timer() const;

@@ -5,18 +5,6 @@
 #include "kernels/interface_loops.hpp"
 
 namespace sluice {
-namespace {
-
-/// Forces are added up block by block and then in the blocks' order: the same bits for any number of threads.
-template <int Dim>
-Vec<Dim> total_of(const BlockTotals<Dim>& totals) {
-    Vec<Dim> sum;
-    for (const Vec<Dim>& block : totals) sum += block;
-    return sum;
-}
-
-}  // namespace
-
 template <int Dim>
 void add_interface_pressure(const ParticleView<Dim>& elements, const ParticleView<Dim>& fluid, const NeighborList& list,
                             const PairMethod<Dim>& method, ScalarField& pressure) {

@@ -36,15 +36,10 @@
 // digits although each side sums for itself.
 #pragma once
 
-#include <vector>
-
 #include "kernels/block_loop.hpp"
+#include "kernels/block_totals.hpp"
 
 namespace sluice {
-
-/// Scratch of the passes that return a sum over all particles; kept by the caller, so that nothing is allocated.
-template <int Dim>
-using BlockTotals = std::vector<Vec<Dim>>;
 
 /// pressure of listed elements += (a). The others are left as they are. Lists between elements and particles have no
 /// reach of the elements and twice the particles' (CutOff).

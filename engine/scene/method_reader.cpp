@@ -23,7 +23,7 @@ Method modern_method() {
     m.smoothing_function = SmoothingFunction::wendland_c2;
     m.integrator = Integrator::kick_drift_kick;
     m.step_size = StepSize::adaptive;
-    m.coupling = Coupling::extrapolated_pressure;
+    m.coupling = Coupling::moving_boundary;
     m.precision = "mixed";
     m.multi_rate = true;
     m.fluid = {.velocity_filter = 1, .artificial_viscosity = 0.02};
@@ -80,7 +80,7 @@ void read_method(TomlTable& root) {
                 method.smoothing_function);
     if (const auto v = table.get("smoothing_length"))
         method.smoothing_length = v.number({"a number in [1, 3]", [](double s) { return s >= 1 && s <= 3; }});
-    read_choice(table, "coupling", {"interface-force", "extrapolated-pressure"}, method.coupling);
+    read_choice(table, "coupling", {"interface-force", "moving-boundary"}, method.coupling);
     const std::vector<std::string> precisions{"double", "mixed"};
     if (const auto v = table.get("precision")) method.precision = precisions[v.choice(precisions)];
     read_time(table, method);

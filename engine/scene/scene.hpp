@@ -77,9 +77,9 @@ struct MediumMethod {
 enum class Preset { paper, modern };
 enum class Integrator { staggered_euler, kick_drift_kick };
 enum class StepSize { fixed, adaptive };
-/// How fluid and solid feel each other: by a pressure on the elements of their interface, or by a pressure that is
-/// extrapolated from the fluid to the solid's particles.
-enum class Coupling { interface_force, extrapolated_pressure };
+/// How fluid and solid feel each other: by a pressure on the elements of their interface (paper), or with the solid's
+/// particles as the fluid's moving boundary.
+enum class Coupling { interface_force, moving_boundary };
 
 struct Method {
     Preset preset = Preset::paper;

@@ -45,10 +45,7 @@ struct SolidPhase : PhaseBase<Dim> {
     VectorField<Dim> interface_acceleration;  ///< [m/s²]
     VectorField<Dim> halfway_position;        ///< (x^n + x^(n+1))/2; x^n while the step is under way [m]
     VectorField<Dim> mean_velocity;           ///< (x^(n+1) − x^n)/Δt [m/s]
-
-    // Only if the fluid's pressure is extrapolated to it.
-    ScalarField volume;             ///< m/ρ [m³; m² in 2D]
-    ScalarField boundary_pressure;  ///< of the fluid around it [Pa]
+    VectorField<Dim> mean_acceleration;       ///< (v^(n+1) − v^n)/Δt, if it is the fluid's moving boundary [m/s²]
 };
 
 /// Layers of fixed ghosts of rigid walls; their pressure is taken from the fluid in front of them.
@@ -61,6 +58,21 @@ struct WallPhase {
     ScalarField smoothing_length;  ///< [m]
     Array<std::uint32_t> id;
     Array<std::uint16_t> body;  ///< index into Scene::walls
+};
+
+/// The solids' particles that fluid can come near, as the fluid's moving boundary: copies of what the fluid sees.
+/// Particles beyond `owned` are images across mirror walls.
+template <int Dim>
+struct BoundaryParticles {
+    std::size_t owned = 0;
+    VectorField<Dim> position;      ///< [m]
+    VectorField<Dim> velocity;      ///< [m/s]
+    VectorField<Dim> acceleration;  ///< [m/s²]
+    ScalarField volume;             ///< m/ρ [m³; m² in 2D]
+    ScalarField smoothing_length;   ///< of the solid [m]
+    VectorField<Dim> force;         ///< of the fluid on it [N; N/m in 2D]
+    Array<std::uint32_t> solid;     ///< id of the solid's particle
+    Array<std::uint16_t> body;      ///< index into Scene::bodies
 };
 
 /// Elements of the interface between fluid and solids: a polygon around each solid body.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/scene/checks.hpp"
 #include "engine/scene/formula.hpp"
@@ -140,6 +141,45 @@ void place_interface(const Scene& scene, const std::vector<Packing>& packings, S
     }
 }
 
+/// Which of a body's particles have an empty lattice site within `range` of them: only those can come near a fluid.
+std::vector<bool> near_surface(const Packing& packing, double range) {
+    std::set<std::array<std::int32_t, 3>> sites(packing.site.begin(), packing.site.end());
+    std::array<std::int32_t, 3> reach{};
+    for (std::size_t k = 0; k < 3; ++k) reach[k] = static_cast<std::int32_t>(range / packing.spacing[k]);
+    std::vector<bool> near(packing.site.size());
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const auto& s = packing.site[i];
+        for (std::int32_t x = -reach[0]; x <= reach[0] && !near[i]; ++x)
+            for (std::int32_t y = -reach[1]; y <= reach[1] && !near[i]; ++y)
+                for (std::int32_t z = -reach[2]; z <= reach[2] && !near[i]; ++z) {
+                    const double distance =
+                        std::hypot(x * packing.spacing[0], y * packing.spacing[1], z * packing.spacing[2]);
+                    near[i] = distance <= range && !sites.contains({s[0] + x, s[1] + y, s[2] + z});
+                }
+    }
+    return near;
+}
+
+/// The solids' particles that a fluid can feel: those within a support of their surface.
+template <int Dim>
+void place_boundary(const Scene& scene, const Effects& effects, const std::vector<Packing>& packings,
+                    State<Dim>& state) {
+    auto& boundary = state.boundary;
+    const double support = Smoothing<Dim>(scene.method.smoothing_function).support;
+    Index id = 0;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
+        const std::vector<bool> near = near_surface(packings[b], support * state.max_h);
+        for (std::size_t i = 0; i < near.size(); ++i, ++id) {
+            if (!near[i]) continue;
+            boundary.solid.push_back(id);
+            boundary.body.push_back(static_cast<std::uint16_t>(b));
+            boundary.smoothing_length.push_back(state.solid.smoothing_length[id]);
+        }
+    }
+    allocate(effects, "boundary", boundary.solid.size(), boundary);
+}
+
 template <int Dim>
 void find_smoothing_range(State<Dim>& state) {
     state.max_h = 0;
@@ -166,8 +206,9 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     allocate(effects, "fluid", state.fluid.id.size(), state.fluid);
     allocate(effects, "solid", state.solid.id.size(), state.solid);
     allocate(effects, "wall", state.wall.id.size(), state.wall);
-    if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
     find_smoothing_range(state);
+    if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
+    if (effects.has(Effect::moving_boundary)) place_boundary(scene, effects, bodies, state);
     return state;
 }
 

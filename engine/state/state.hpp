@@ -26,6 +26,7 @@ struct State {
     SolidPhase<Dim> solid;
     WallPhase<Dim> wall;
     InterfaceElements<Dim> elements;
+    BoundaryParticles<Dim> boundary;
     SurfaceChains surface;
     std::vector<MirrorPlane<Dim>> mirrors;
     Vec<Dim> gravity;              ///< [m/s²]

@@ -45,8 +45,8 @@ void visit_columns(SolidPhase<Dim>& p, F&& f) {
     detail::visit_tuple("interface_acceleration", p.interface_acceleration, f);
     detail::visit_tuple("halfway_position", p.halfway_position, f);
     detail::visit_tuple("mean_velocity", p.mean_velocity, f);
+    detail::visit_tuple("mean_acceleration", p.mean_acceleration, f);
     f("clamped", p.clamped);
-    f("volume", p.volume), f("boundary_pressure", p.boundary_pressure);
 }
 
 template <int Dim, class F>
@@ -54,6 +54,15 @@ void visit_columns(WallPhase<Dim>& p, F&& f) {
     detail::visit_tuple("position", p.position, f);
     f("pressure", p.pressure), f("volume", p.volume), f("smoothing_length", p.smoothing_length);
     f("id", p.id), f("body", p.body);
+}
+
+template <int Dim, class F>
+void visit_columns(BoundaryParticles<Dim>& p, F&& f) {
+    detail::visit_tuple("position", p.position, f);
+    detail::visit_tuple("velocity", p.velocity, f);
+    detail::visit_tuple("acceleration", p.acceleration, f);
+    detail::visit_tuple("force", p.force, f);
+    f("volume", p.volume), f("smoothing_length", p.smoothing_length), f("solid", p.solid), f("body", p.body);
 }
 
 template <int Dim, class F>

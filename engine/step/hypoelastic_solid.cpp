@@ -42,7 +42,7 @@ template <int Dim>
 void HypoelasticSolid<Dim>::forces() {
     const auto scope = c_.timer.measure(StepPhase::solid_pass);
     auto& solid = c_.state.solid;
-    const bool coupled = c_.has(Effect::interface_force);
+    const bool coupled = is_coupled(c_);
     const Vec<Dim> gravity = c_.state.gravity;
     parallel_for(solid.owned, [&](std::size_t i) {
         solid.acceleration.set(i, coupled ? gravity + solid.interface_acceleration[i] : gravity);

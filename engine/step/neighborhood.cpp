@@ -181,7 +181,6 @@ void Neighborhood<Dim>::build_fluid() {
 
 template <int Dim>
 void Neighborhood<Dim>::prune_fluid() {
-    using Set = typename NeighborSearch<Dim>::Set;
     const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
     const Set wall{state_.wall.position, state_.wall.smoothing_length};
     const CutOff cut = pair_cut(fluid_skin_.prune());
@@ -209,35 +208,87 @@ void Neighborhood<Dim>::prune_solid() {
 
 template <int Dim>
 void Neighborhood<Dim>::build_coupling() {
-    if (!effects_.has(Effect::interface_force)) return;
+    if (effects_.has(Effect::interface_force)) build_interface();
+    if (effects_.has(Effect::moving_boundary)) build_boundary();
+    coupling_skin_.was_built();
+}
+
+template <int Dim>
+void Neighborhood<Dim>::list_coupling(const Grid& query, const Set& a, const Grid& target, const Set& b,
+                                      const CutOff& cut, NeighborList& list) {
+    const std::array<const Grid*, 1> targets{&target};
+    CutOff wide = cut;
+    wide.skin += fluid_skin_.motion() + solid_skin_.motion();  // the particles' grids are as old as their lists
+    search_.build(query, targets, wide, list);
+    search_.prune(a, b, cut, list);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::build_interface() {
     auto& elements = state_.elements;
     if constexpr (Dim == 2) state_.surface.update(state_.solid.position, solid_index_of_id_, elements);
     element_grid_.build(elements.position, 0, elements.owned, cell_over_h_ * state_.max_h);
-    if (effects_.has(Effect::mirror_wall)) make_element_images();
-    using Set = typename NeighborSearch<Dim>::Set;
+    const bool mirrored = effects_.has(Effect::mirror_wall);
+    if (mirrored) make_element_images();
     const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
     const Set solid{state_.solid.position, state_.solid.smoothing_length};
     const Set faces{elements.position, elements.smoothing_length};
     // Between an element and a particle: the particle's support.
     const CutOff of_target{coupling_skin_.skin(), 0, support_}, of_query{coupling_skin_.skin(), support_, 0};
-    const auto list = [&](const Grid& query, const Set& a, const Grid& target, const Set& b, const CutOff& cut,
-                          NeighborList& to) {
-        const std::array<const Grid*, 1> targets{&target};
-        // The particles' grids are as old as their lists.
-        CutOff wide = cut;
-        wide.skin += fluid_skin_.motion() + solid_skin_.motion();
-        search_.build(query, targets, wide, to);
-        search_.prune(a, b, cut, to);
-    };
-    list(element_grid_, faces, fluid_grid_, fluid, of_target, element_fluid);
-    list(fluid_grid_, fluid, element_grid_, faces, of_query, fluid_element);
-    list(element_grid_, faces, solid_grid_, solid, of_target, element_solid);
-    list(solid_grid_, solid, element_grid_, faces, of_query, solid_element);
-    if (effects_.has(Effect::mirror_wall)) {
-        list(element_grid_, faces, fluid_image_grid_, fluid, of_target, element_image);
-        list(fluid_grid_, fluid, element_image_grid_, faces, of_query, image_element);
-    }
-    coupling_skin_.was_built();
+    list_coupling(element_grid_, faces, fluid_grid_, fluid, of_target, element_fluid);
+    list_coupling(fluid_grid_, fluid, element_grid_, faces, of_query, fluid_element);
+    list_coupling(element_grid_, faces, solid_grid_, solid, of_target, element_solid);
+    list_coupling(solid_grid_, solid, element_grid_, faces, of_query, solid_element);
+    if (!mirrored) return;
+    list_coupling(element_grid_, faces, fluid_image_grid_, fluid, of_target, element_image);
+    list_coupling(fluid_grid_, fluid, element_image_grid_, faces, of_query, image_element);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::build_boundary() {
+    auto& boundary = state_.boundary;
+    for (std::size_t i = 0; i < boundary.owned; ++i)
+        boundary.position.set(i, state_.solid.position[solid_index_of_id_[boundary.solid[i]]]);
+    boundary_grid_.build(boundary.position, 0, boundary.owned, cell_over_h_ * state_.max_h, boundary.smoothing_length);
+    const bool mirrored = effects_.has(Effect::mirror_wall);
+    if (mirrored) make_boundary_images();
+    const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
+    const Set solid{boundary.position, boundary.smoothing_length};
+    const CutOff cut = pair_cut(coupling_skin_.skin());
+    list_coupling(boundary_grid_, solid, fluid_grid_, fluid, cut, boundary_fluid);
+    list_coupling(fluid_grid_, fluid, boundary_grid_, solid, cut, fluid_boundary);
+    if (!mirrored) return;
+    list_coupling(boundary_grid_, solid, fluid_image_grid_, fluid, cut, boundary_image);
+    list_coupling(fluid_grid_, fluid, boundary_image_grid_, solid, cut, image_boundary);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::make_boundary_images() {
+    auto& boundary = state_.boundary;
+    const double farthest = half_support() * state_.max_h + coupling_skin_.skin();
+    boundary_images_.create(state_.mirrors, boundary.position, boundary.owned,
+                            [&](std::size_t i) { return half_support() * boundary.smoothing_length[i] + farthest; });
+    const std::size_t n = boundary.position.size();
+    boundary.velocity.resize(n);
+    boundary.acceleration.resize(n);
+    for (ScalarField* column : {&boundary.volume, &boundary.smoothing_length})
+        boundary_images_.extend(*column, boundary.owned);
+    boundary_image_grid_.build(boundary.position, boundary.owned, n, cell_over_h_ * state_.max_h,
+                               boundary.smoothing_length);
+    boundary_images_.reorder(boundary_image_grid_.order(), boundary.owned);
+    boundary_image_grid_.particles_were_sorted(boundary.owned);
+    for (ScalarField* column : {&boundary.volume, &boundary.smoothing_length})
+        boundary_images_.refresh(*column, boundary.owned);
+    refresh_boundary();
+}
+
+template <int Dim>
+void Neighborhood<Dim>::refresh_boundary() {
+    auto& boundary = state_.boundary;
+    boundary_images_.refresh_positions(boundary.position, boundary.owned);
+    boundary_images_.refresh_directions(boundary.velocity, boundary.owned);
+    boundary_images_.refresh_directions(boundary.acceleration, boundary.owned);
+    boundary_images_.refresh(boundary.volume, boundary.owned);
 }
 
 template <int Dim>
@@ -273,12 +324,13 @@ template <int Dim>
 std::size_t Neighborhood<Dim>::bytes() const {
     std::size_t sum = 0;
     for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid,
-                                     &fluid_element, &element_solid, &solid_element, &element_image, &image_element})
+                                     &fluid_element, &element_solid, &solid_element, &element_image, &image_element,
+                                     &fluid_boundary, &boundary_fluid, &boundary_image, &image_boundary})
         sum += list->bytes();
     for (const Grid* grid : {&fluid_grid_, &fluid_image_grid_, &wall_grid_, &wall_image_grid_, &solid_grid_,
-                             &element_grid_, &element_image_grid_})
+                             &element_grid_, &element_image_grid_, &boundary_grid_, &boundary_image_grid_})
         sum += grid->bytes();
-    return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes();
+    return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes() + boundary_images_.bytes();
 }
 
 template class Neighborhood<2>;

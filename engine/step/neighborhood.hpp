@@ -35,6 +35,7 @@ class Neighborhood {
     void refresh_fluid_velocities();
     void refresh_fluid_scalars();
     void refresh_elements();
+    void refresh_boundary();
     void refresh_wall_pressure();
 
     const std::vector<Index>& solid_index_of_id() const { return solid_index_of_id_; }
@@ -46,9 +47,13 @@ class Neighborhood {
     NeighborList element_solid, solid_element, element_fluid, fluid_element;
     NeighborList element_image;  ///< elements and the images of fluid particles
     NeighborList image_element;  ///< fluid particles and the images of elements
+    NeighborList fluid_boundary, boundary_fluid;
+    NeighborList boundary_image;  ///< boundary particles and the images of fluid particles
+    NeighborList image_boundary;  ///< fluid particles and the images of boundary particles
 
   private:
     using Grid = ClusterGrid<Dim>;
+    using Set = typename NeighborSearch<Dim>::Set;
 
     /// Pairs meet within the support of their mean smoothing length.
     double half_support() const { return 0.5 * support_; }
@@ -64,6 +69,11 @@ class Neighborhood {
     void make_fluid_images();
     void make_wall_images();
     void make_element_images();
+    void make_boundary_images();
+    void build_interface();
+    void build_boundary();
+    void list_coupling(const Grid& query, const Set& a, const Grid& target, const Set& b, const CutOff& cut,
+                       NeighborList& list);
 
     State<Dim>& state_;
     const Effects& effects_;
@@ -72,8 +82,9 @@ class Neighborhood {
     SkinAccount fluid_skin_, solid_skin_, coupling_skin_;
     std::uint64_t builds_ = 0;
     std::vector<Index> solid_index_of_id_;
-    Images<Dim> fluid_images_, wall_images_, element_images_;
-    Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_;
+    Images<Dim> fluid_images_, wall_images_, element_images_, boundary_images_;
+    Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_,
+        boundary_grid_, boundary_image_grid_;
     NeighborSearch<Dim> search_;
 };
 

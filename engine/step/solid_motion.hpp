@@ -5,21 +5,32 @@
 
 namespace sluice {
 
-/// Remembers where the solid stands, if it meets a fluid.
+/// Whether the solid meets a fluid.
+template <int Dim>
+bool is_coupled(const StepContext<Dim>& c) {
+    return c.has(Effect::interface_force) || c.has(Effect::moving_boundary);
+}
+
+/// Remembers where the solid stands and how fast it is, if it meets a fluid.
 template <int Dim>
 void begin_solid_motion(StepContext<Dim>& c) {
-    if (c.has(Effect::interface_force)) c.state.solid.halfway_position = c.state.solid.position;
+    auto& solid = c.state.solid;
+    if (is_coupled(c)) solid.halfway_position = solid.position;
+    if (c.has(Effect::moving_boundary)) solid.mean_acceleration = solid.velocity;  // until the step's end
 }
 
 template <int Dim>
 void end_solid_motion(StepContext<Dim>& c) {
-    if (!c.has(Effect::interface_force)) return;
+    if (!is_coupled(c)) return;
     auto& solid = c.state.solid;
     for (std::size_t i = 0; i < solid.owned; ++i) {
         const Vec<Dim> before = solid.halfway_position[i], after = solid.position[i];
         solid.halfway_position.set(i, 0.5 * (before + after));
         solid.mean_velocity.set(i, (1 / c.plan.dt) * (after - before));
     }
+    if (!c.has(Effect::moving_boundary)) return;
+    for (std::size_t i = 0; i < solid.owned; ++i)
+        solid.mean_acceleration.set(i, (1 / c.plan.dt) * (solid.velocity[i] - solid.mean_acceleration[i]));
 }
 
 }  // namespace sluice

@@ -54,6 +54,17 @@ ParticleView<Dim> view_of(const InterfaceElements<Dim>& e) {
     return v;
 }
 
+template <int Dim>
+ParticleView<Dim> view_of(const BoundaryParticles<Dim>& b) {
+    ParticleView<Dim> v;
+    v.position = columns_of(b.position);
+    v.velocity = columns_of(b.velocity);
+    v.acceleration = columns_of(b.acceleration);
+    v.smoothing_length = b.smoothing_length.data();
+    v.volume = b.volume.data();
+    return v;
+}
+
 /// The solid half-way through a step, as the interface's kinematic condition sees it.
 template <int Dim>
 ParticleView<Dim> halfway_view_of(const SolidPhase<Dim>& p) {

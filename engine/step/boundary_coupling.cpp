@@ -1,0 +1,77 @@
+#include "engine/step/boundary_coupling.hpp"
+
+#include <algorithm>
+
+#include "neighbor/parallel.hpp"
+
+namespace sluice {
+
+template <int Dim>
+void BoundaryCoupling<Dim>::forces() {
+    const auto scope = c_.timer.measure(StepPhase::interface_pass);
+    follow(c_.state.solid.position, c_.state.solid.velocity);
+    auto& boundary = c_.state.boundary;
+    auto& fluid = c_.state.fluid;
+    const Vec<Dim> gravity = c_.state.gravity;
+    const auto solid_view = view_of(boundary), fluid_view = view_of(fluid);
+    for (auto& column : boundary.force.c) std::fill(column.begin(), column.end(), 0.0);
+    const Vec<Dim> on_solid = boundary_reaction<Dim>(solid_view, fluid_view, c_.neighbors.boundary_fluid, gravity,
+                                                     c_.method, block_totals_, boundary.force);
+    boundary_reaction<Dim>(solid_view, fluid_view, c_.neighbors.boundary_image, gravity, c_.method, block_totals_,
+                           boundary.force);
+    const Vec<Dim> on_fluid = boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.fluid_boundary,
+                                                              gravity, c_.method, block_totals_, fluid.acceleration);
+    boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.image_boundary, gravity, c_.method,
+                                    block_totals_, fluid.acceleration);
+    hand_over();
+    record_balance(on_solid, on_fluid);
+}
+
+template <int Dim>
+void BoundaryCoupling<Dim>::rates() {
+    const auto scope = c_.timer.measure(StepPhase::interface_pass);
+    follow(c_.state.solid.halfway_position, c_.state.solid.mean_velocity);
+    auto& fluid = c_.state.fluid;
+    const auto fluid_view = view_of(fluid), solid_view = view_of(c_.state.boundary);
+    boundary_continuity<Dim>(fluid_view, solid_view, c_.neighbors.fluid_boundary, c_.method, fluid.density_rate);
+    boundary_continuity<Dim>(fluid_view, solid_view, c_.neighbors.image_boundary, c_.method, fluid.density_rate);
+}
+
+template <int Dim>
+void BoundaryCoupling<Dim>::follow(const VectorField<Dim>& position, const VectorField<Dim>& velocity) {
+    auto& boundary = c_.state.boundary;
+    const auto& solid = c_.state.solid;
+    const auto& index_of_id = c_.neighbors.solid_index_of_id();
+    parallel_for(boundary.owned, [&](std::size_t i) {
+        const Index s = index_of_id[boundary.solid[i]];
+        boundary.position.set(i, position[s]);
+        boundary.velocity.set(i, velocity[s]);
+        boundary.acceleration.set(i, solid.mean_acceleration[s]);
+        boundary.volume[i] = solid.mass[s] / solid.density[s];
+    });
+    c_.neighbors.refresh_boundary();
+}
+
+template <int Dim>
+void BoundaryCoupling<Dim>::hand_over() {
+    const auto& boundary = c_.state.boundary;
+    auto& solid = c_.state.solid;
+    const auto& index_of_id = c_.neighbors.solid_index_of_id();
+    parallel_for(boundary.owned, [&](std::size_t i) {
+        const Index s = index_of_id[boundary.solid[i]];
+        solid.interface_acceleration.set(s, (1 / solid.mass[s]) * boundary.force[i]);
+    });
+}
+
+/// Images of the fluid belong to the mirror walls, and so do those of the boundary: neither counts.
+template <int Dim>
+void BoundaryCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<Dim>& on_fluid) {
+    const auto& boundary = c_.state.boundary;
+    balance_.force = ordered_sum<double>(boundary.owned, [&](std::size_t i) { return norm(boundary.force[i]); });
+    if (balance_.force > 0) balance_.residual = std::max(balance_.residual, norm(on_solid + on_fluid) / balance_.force);
+}
+
+template class BoundaryCoupling<2>;
+template class BoundaryCoupling<3>;
+
+}  // namespace sluice

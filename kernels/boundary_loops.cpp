@@ -1,0 +1,16 @@
+// The loops between fluid and moving boundary, compiled once per instruction set.
+#include "kernels/boundary_loops.hpp"
+
+#include "kernels/block_loop_body.hpp"
+
+namespace sluice::SLUICE_ISA {
+
+#define SLUICE_INSTANTIATE(Dim)                            \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryPressure<Dim>) \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryReaction<Dim>) \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryContinuity<Dim>)
+SLUICE_INSTANTIATE(2)
+SLUICE_INSTANTIATE(3)
+#undef SLUICE_INSTANTIATE
+
+}  // namespace sluice::SLUICE_ISA
