@@ -99,6 +99,19 @@ const std::array<EffectRow, effect_count> table{{
          return c.fluid ? Decision{Verdict::required, "walls: " + c.fixed_walls}
                         : Decision{Verdict::impossible, "no fluid body to hold"};
      }},
+    {{Effect::moving_wall, "moving_wall", "walls: motion by formula or table", "Adami2012 eq. 25",
+      "wall.initial_position wall.velocity"},
+     [](const Scene&, const SceneContent& c) {
+         if (!c.moving_wall) return Decision{Verdict::impossible, "no wall with a motion"};
+         return c.fluid ? Decision{Verdict::used, "walls: " + c.moving_walls}
+                        : Decision{Verdict::impossible, "no fluid body to move"};
+     }},
+    {{Effect::periodic_box, "periodic_box", "walls: periodic box", "engine/state/images.hpp", ""},
+     [](const Scene&, const SceneContent& c) {
+         if (c.periodic_axes.empty()) return Decision{Verdict::impossible, "no periodic axis"};
+         return c.fluid ? Decision{Verdict::required, "along " + c.periodic_axes}
+                        : Decision{Verdict::impossible, "no fluid body"};
+     }},
     {{Effect::clamp, "clamp", "solid: clamp", "Antoci2007 sect. 4", ""},
      [](const Scene&, const SceneContent& c) {
          return c.clamp ? Decision{Verdict::required, "bodies: " + c.clamps}
@@ -108,6 +121,12 @@ const std::array<EffectRow, effect_count> table{{
      [](const Scene& s, const SceneContent& c) {
          if (!c.gravity) return Decision{Verdict::impossible, "gravity = 0"};
          return Decision{Verdict::used, fmt::format("g = ({}, {}, {}) m/s2", s.gravity[0], s.gravity[1], s.gravity[2])};
+     }},
+    {{Effect::driven_acceleration, "driven_acceleration", "acceleration that depends on time", "engine/step/walls.hpp",
+      ""},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.driven) return Decision{Verdict::impossible, "no acceleration in the scene"};
+         return Decision{Verdict::used, fmt::format("a(t) = ({}) m/s2", fmt::join(s.acceleration, ", "))};
      }},
     {{Effect::variable_resolution, "variable_resolution", "pairs of unequal size: mean smoothing length",
       "kernels/pair.hpp", ""},
@@ -146,8 +165,12 @@ SceneContent content_of(const Scene& scene) {
     c.many_spacings = largest > smallest * (1 + 1e-9);
     for (const Wall& wall : scene.walls) {
         (wall.kind == WallKind::mirror ? c.mirror : c.fixed) = true;
+        if (wall.motion.moves()) c.moving_wall = true, add_name(c.moving_walls, wall.name);
         add_name(wall.kind == WallKind::mirror ? c.mirrors : c.fixed_walls, wall.name);
     }
+    for (std::size_t k = 0; k < 3; ++k)
+        if (scene.periodic[k]) add_name(c.periodic_axes, std::string(1, "xyz"[k]));
+    c.driven = scene.acceleration != std::array<Formula, 3>{};
     c.gravity = std::any_of(scene.gravity.begin(), scene.gravity.end(), [](double g) { return g != 0; });
     return c;
 }

@@ -12,8 +12,8 @@ namespace sluice {
 /// What the rules look at.
 struct SceneContent {
     bool fluid = false, solid = false, clamp = false, mirror = false, fixed = false, gravity = false;
-    bool many_spacings = false;
-    std::string fluids, solids, clamps, mirrors, fixed_walls;  ///< names, for messages
+    bool moving_wall = false, driven = false, many_spacings = false;
+    std::string fluids, solids, clamps, mirrors, fixed_walls, moving_walls, periodic_axes;  ///< names, for messages
 };
 SceneContent content_of(const Scene& scene);
 

@@ -23,13 +23,16 @@ enum class Effect {
     moving_boundary,
     mirror_wall,
     fixed_wall,
+    moving_wall,
+    periodic_box,
     clamp,
     gravity,
+    driven_acceleration,
     variable_resolution,
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 16;
+inline constexpr std::size_t effect_count = 19;
 
 /// One row of the table.
 struct EffectInfo {

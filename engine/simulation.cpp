@@ -5,6 +5,7 @@
 #include "engine/errors.hpp"
 #include "engine/state/visit.hpp"
 #include "engine/step/balances.hpp"
+#include "engine/step/body_acceleration.hpp"
 #include "engine/step/boundary_coupling.hpp"
 #include "engine/step/context.hpp"
 #include "engine/step/fluid.hpp"
@@ -24,6 +25,7 @@ struct Simulation<Dim>::Impl {
           smoothing(scene.method.smoothing_function),
           neighbors(state, effects, scene.method.smoothing_length, smoothing.support),
           context{scene, effects, state, neighbors, pair_method(), StepPlan{}},
+          body_acceleration(context),
           fluid(context),
           walls(context),
           solid(context),
@@ -55,18 +57,21 @@ struct Simulation<Dim>::Impl {
         fluid.filter();
         fluid.drift_halfway();
         const double solid_motion = effects.has(Effect::solid_stress) ? advance_solid() : 0.0;
+        const double wall_motion = walls.move_halfway(time);
         rates();
-        const double fluid_motion = fluid.finish();
+        const double fluid_motion = std::max(fluid.finish(), wall_motion);
         neighbors.add_motion(fluid_motion, solid_motion);
-        update_neighbors();
-        forces();
-        if (synchronous) fluid.kick(0.5 * dt);
         ++steps;
         solid_steps += static_cast<std::uint64_t>(context.plan.substeps);
         time = planner.adaptive() ? time + dt : static_cast<double>(steps) * dt;
+        walls.finish(time);
+        update_neighbors();
+        forces();
+        if (synchronous) fluid.kick(0.5 * dt);
     }
 
     void forces() {
+        body_acceleration.update(time);
         fluid.forces();
         walls.forces();
         if (effects.has(Effect::interface_force)) interface.forces();
@@ -109,6 +114,7 @@ struct Simulation<Dim>::Impl {
     Smoothing<Dim> smoothing;
     Neighborhood<Dim> neighbors;
     StepContext<Dim> context;
+    BodyAcceleration<Dim> body_acceleration;
     FluidPart<Dim> fluid;
     WallPart<Dim> walls;
     HypoelasticSolid<Dim> solid;

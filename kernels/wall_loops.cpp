@@ -5,10 +5,11 @@
 
 namespace sluice::SLUICE_ISA {
 
-#define SLUICE_INSTANTIATE(Dim, Number)                   \
-    SLUICE_INSTANTIATE_PASS(Number, GhostPressure<Dim>)   \
-    SLUICE_INSTANTIATE_PASS(Number, GhostContinuity<Dim>) \
-    SLUICE_INSTANTIATE_PASS(Number, GhostPressureSums<Dim>)
+#define SLUICE_INSTANTIATE(Dim, Number)                     \
+    SLUICE_INSTANTIATE_PASS(Number, GhostPressure<Dim>)     \
+    SLUICE_INSTANTIATE_PASS(Number, GhostContinuity<Dim>)   \
+    SLUICE_INSTANTIATE_PASS(Number, GhostPressureSums<Dim>) \
+    SLUICE_INSTANTIATE_PASS(Number, MovingGhostPressureSums<Dim>)
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)
 SLUICE_INSTANTIATE(3, double)

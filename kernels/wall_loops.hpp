@@ -39,4 +39,23 @@ struct GhostPressureSums {
     }
 };
 
+/// The same sums for ghosts that are accelerated each in their own way: Σ_f V_f W_wf, Σ_f V_f p_f W_wf and
+/// Σ_f V_f ρ_f (x_w − x_f) W_wf.
+template <int Dim>
+struct MovingGhostPressureSums {
+    static constexpr int dim = Dim, outputs = 2 + Dim;
+    static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::pressure;
+
+    template <class Pair>
+    [[gnu::always_inline]] Vec<outputs, typename Pair::Real> operator()(const Pair& ij) const {
+        using Real = typename Pair::Real;
+        const Real m_w = ij.m_w(), v_w = m_w * reciprocal(ij.rho_j());
+        Vec<outputs, Real> out;
+        out[0] = v_w;
+        out[1] = v_w * ij.p_j();
+        unroll<Dim>([&](int k) __attribute__((always_inline)) { out[2 + k] = m_w * ij.x_ij[k]; });
+        return out;
+    }
+};
+
 }  // namespace sluice

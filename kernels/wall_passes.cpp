@@ -17,6 +17,21 @@ std::uint64_t fixed_ghost_pressure(const ParticleView<Dim>& wall, const Particle
 }
 
 template <int Dim>
+std::uint64_t moving_ghost_pressure(const ParticleView<Dim>& wall, const ParticleView<Dim>& fluid,
+                                    const NeighborList& list, const std::vector<Vec<Dim>>& effective_gravity,
+                                    const Array<std::uint16_t>& body, const PairMethod<Dim>& method,
+                                    ScalarField& pressure) {
+    std::fill(pressure.begin(), pressure.end(), 0.0);
+    using Sums = MovingGhostPressureSums<Dim>;
+    return sum_pairs(Sums{}, method, wall, fluid, list, [&](Index i, const Vec<Sums::outputs>& sum) {
+        if (!(sum[0] > 0)) return;
+        double weighted = sum[1];
+        for (int k = 0; k < Dim; ++k) weighted += effective_gravity[body[i]][k] * sum[2 + k];
+        pressure[i] = std::max(weighted / sum[0], 0.0);
+    });
+}
+
+template <int Dim>
 std::uint64_t fixed_ghost_force(const ParticleView<Dim>& fluid, const ParticleView<Dim>& wall, const NeighborList& list,
                                 const PairMethod<Dim>& method, VectorField<Dim>& acceleration) {
     return add_vectors(GhostPressure<Dim>{}, method, fluid, wall, list, acceleration);
@@ -33,6 +48,9 @@ std::uint64_t fixed_ghost_continuity(const ParticleView<Dim>& fluid, const Parti
     template std::uint64_t fixed_ghost_pressure<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,           \
                                                      const NeighborList&, const Vec<Dim>&, const PairMethod<Dim>&, \
                                                      ScalarField&);                                                \
+    template std::uint64_t moving_ghost_pressure<Dim>(                                                             \
+        const ParticleView<Dim>&, const ParticleView<Dim>&, const NeighborList&, const std::vector<Vec<Dim>>&,     \
+        const Array<std::uint16_t>&, const PairMethod<Dim>&, ScalarField&);                                        \
     template std::uint64_t fixed_ghost_force<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,              \
                                                   const NeighborList&, const PairMethod<Dim>&, VectorField<Dim>&); \
     template std::uint64_t fixed_ghost_continuity<Dim>(const ParticleView<Dim>&, const ParticleView<Dim>&,         \

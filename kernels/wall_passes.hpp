@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "kernels/block_loop.hpp"
 
@@ -15,6 +16,14 @@ template <int Dim>
 std::uint64_t fixed_ghost_pressure(const ParticleView<Dim>& wall, const ParticleView<Dim>& fluid,
                                    const NeighborList& list, const Vec<Dim>& gravity, const PairMethod<Dim>& method,
                                    ScalarField& pressure);
+
+/// The same for walls that move: in the frame of wall w, gravity is g − a_w [Adami, Hu & Adams 2012, eq. 25].
+/// effective_gravity: of each wall by its number, body: the number of each ghost's wall.
+template <int Dim>
+std::uint64_t moving_ghost_pressure(const ParticleView<Dim>& wall, const ParticleView<Dim>& fluid,
+                                    const NeighborList& list, const std::vector<Vec<Dim>>& effective_gravity,
+                                    const Array<std::uint16_t>& body, const PairMethod<Dim>& method,
+                                    ScalarField& pressure);
 
 /// acceleration of the fluid += the ghosts' pressure (FixedGhostPressure).
 template <int Dim>

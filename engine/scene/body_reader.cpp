@@ -14,17 +14,36 @@ std::size_t read_material_of(TomlTable& table) {
     return table.get("material").choice(names);
 }
 
-void read_velocity(const TomlValue& value, Body& body) {
-    const int dimension = value.scene().dimension;
-    const std::string expected = fmt::format("an array of {} numbers or formulas", dimension);
-    const std::vector<TomlValue> components = value.items(expected);
-    if (components.size() != static_cast<std::size_t>(dimension)) value.reject(expected);
-    for (std::size_t k = 0; k < components.size(); ++k) {
-        const TomlValue& component = components[k];
-        const bool is_number = component.node()->is_number();
-        body.velocity[k] = is_number ? fmt::format("{}", component.number()) : component.text();
-        CompiledFormula(value.scene(), component.path(), body.velocity[k]);
+constexpr NumberRule any_time{"a number", [](double) { return true; }};
+
+/// Rows [t, x, y] or [t, x, y, z] with rising t.
+void read_motion_table(const TomlValue& value, Motion& motion) {
+    const auto columns = static_cast<std::size_t>(value.scene().dimension) + 1;
+    const std::string expected = fmt::format("an array of rows of {} numbers, time first", columns);
+    for (const TomlValue& row : value.items(expected)) {
+        const std::vector<TomlValue> numbers = row.items(expected);
+        if (numbers.size() != columns) row.reject(expected);
+        const double t = numbers[0].number(any_time);
+        if (!motion.time.empty() && !(t > motion.time.back()))
+            row.fail(fmt::format("found t = {} s after {} s, expected rising times", t, motion.time.back()));
+        motion.time.push_back(t);
+        Point place{};
+        for (std::size_t k = 1; k < columns; ++k) place[k - 1] = numbers[k].number(any_time);
+        motion.place.push_back(place);
     }
+    if (motion.time.size() < 2) value.fail("found fewer than two rows, expected two or more");
+}
+
+Motion read_motion(const TomlValue& value) {
+    Motion motion;
+    TomlTable table(value);
+    const TomlValue formulas = table.get("displacement"), rows = table.get("table");
+    if (formulas && rows) rows.fail("found it beside displacement, expected one of the two");
+    if (!formulas && !rows) table.fail("found neither displacement nor table, expected one of the two");
+    if (formulas) motion.displacement = read_formulas(formulas, Variable::time);
+    if (rows) read_motion_table(rows, motion);
+    table.finish();
+    return motion;
 }
 
 void read_free_surface(const TomlValue& value, MaterialKind kind, Body& body) {
@@ -47,7 +66,12 @@ Body read_body(TomlTable& table, const std::string& name) {
         body.clamp = read_shape(clamp);
     }
     if (const auto surface = table.get("hydrostatic_surface")) read_free_surface(surface, kind, body);
-    if (const auto velocity = table.get("velocity")) read_velocity(velocity, body);
+    if (const auto velocity = table.get("velocity")) body.velocity = read_formulas(velocity, Variable::place);
+    if (const auto pressure = table.get("pressure")) {
+        if (kind == MaterialKind::solid) pressure.fail("found a pressure of a solid, expected it for fluids only");
+        body.pressure = pressure.node()->is_number() ? fmt::format("{}", pressure.number()) : pressure.text();
+        CompiledFormula(pressure.scene(), pressure.path(), body.pressure);
+    }
     table.finish();
     return body;
 }
@@ -60,6 +84,7 @@ Wall read_wall(TomlTable& table, const std::string& name) {
     if (wall.kind == WallKind::fixed) {
         wall.shape = read_shape(table.get("shape"));
         wall.spacing = read_spacing(table);
+        if (const auto motion = table.get("motion")) wall.motion = read_motion(motion);
     } else {
         wall.point = table.get("point").point();
         const TomlValue normal = table.get("normal");
@@ -73,6 +98,20 @@ Wall read_wall(TomlTable& table, const std::string& name) {
 }
 
 }  // namespace
+
+std::array<Formula, 3> read_formulas(const TomlValue& value, Variable variable) {
+    const int dimension = value.scene().dimension;
+    const std::string expected = fmt::format("an array of {} numbers or formulas", dimension);
+    const std::vector<TomlValue> components = value.items(expected);
+    if (components.size() != static_cast<std::size_t>(dimension)) value.reject(expected);
+    std::array<Formula, 3> formulas;
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        const TomlValue& component = components[k];
+        formulas[k] = component.node()->is_number() ? fmt::format("{}", component.number()) : component.text();
+        CompiledFormula(value.scene(), component.path(), formulas[k], variable);
+    }
+    return formulas;
+}
 
 double read_spacing(TomlTable& table) {
     const TomlValue spacing = table.get("spacing"), ratio = table.get("spacing_ratio");

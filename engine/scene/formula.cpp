@@ -19,12 +19,13 @@ struct CompiledFormula::Impl {
     const Scene* scene;
     std::string key;
     Formula text;
+    Variable variable;
     mu::Parser parser;
     Point at = trial;
 
     /// `message` with the key, what was found, and what may be used.
     [[noreturn]] void fail(const std::string& problem) const {
-        std::string names = "x, y, z, pi";
+        std::string names = variable == Variable::place ? "x, y, z, pi" : "t, pi";
         for (const auto& [name, value] : scene->constants) names += ", " + name;
         scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", text, problem, names));
     }
@@ -42,15 +43,19 @@ struct CompiledFormula::Impl {
     }
 };
 
-CompiledFormula::CompiledFormula(const Scene& scene, std::string key, const Formula& text)
+CompiledFormula::CompiledFormula(const Scene& scene, std::string key, const Formula& text, Variable variable)
     : impl_(std::make_unique<Impl>()) {
     impl_->scene = &scene;
     impl_->key = std::move(key);
     impl_->text = text;
+    impl_->variable = variable;
     mu::Parser& parser = impl_->parser;
-    parser.DefineVar("x", &impl_->at[0]);
-    parser.DefineVar("y", &impl_->at[1]);
-    parser.DefineVar("z", &impl_->at[2]);
+    if (variable == Variable::place) {
+        parser.DefineVar("x", &impl_->at[0]);
+        parser.DefineVar("y", &impl_->at[1]);
+        parser.DefineVar("z", &impl_->at[2]);
+    } else
+        parser.DefineVar("t", &impl_->at[0]);
     parser.DefineConst("pi", std::numbers::pi);
     for (const auto& [name, value] : scene.constants) parser.DefineConst(name, value);
     parser.SetExpr(text.empty() ? "0" : text);
@@ -65,7 +70,9 @@ CompiledFormula& CompiledFormula::operator=(CompiledFormula&&) noexcept = defaul
 double CompiledFormula::operator()(const Point& p) const {
     impl_->at = p;
     const double value = impl_->evaluate();
-    if (!std::isfinite(value)) impl_->fail(fmt::format("{} at ({}, {}, {})", value, p[0], p[1], p[2]));
+    if (!std::isfinite(value))
+        impl_->fail(impl_->variable == Variable::place ? fmt::format("{} at ({}, {}, {})", value, p[0], p[1], p[2])
+                                                       : fmt::format("{} at t = {} s", value, p[0]));
     return value;
 }
 
@@ -75,7 +82,7 @@ std::string constant_name_problem(const std::string& name) {
                          name.find_first_not_of(letters + "0123456789") == std::string::npos;
     if (!is_word) return "a name that is not made of letters, digits and _";
     const mu::Parser parser;
-    if (name == "x" || name == "y" || name == "z" || name == "pi" || parser.GetConst().contains(name))
+    if (name == "x" || name == "y" || name == "z" || name == "t" || name == "pi" || parser.GetConst().contains(name))
         return "a name that formulas have already";
     if (parser.GetFunDef().contains(name)) return "the name of a function";
     return "";

@@ -1,4 +1,4 @@
-// A formula of the scene, ready to be evaluated at points.
+// A formula of the scene, ready to be evaluated at points or times.
 #pragma once
 
 #include <memory>
@@ -8,18 +8,23 @@
 
 namespace sluice {
 
-/// Knows x, y, z, pi, the scene's [constants] and muParser's functions. Must not outlive the scene; one thread at a
-/// time.
+/// What a formula depends on: x, y and z, or t.
+enum class Variable { place, time };
+
+/// Knows its variables, pi, the scene's [constants] and muParser's functions. Must not outlive the scene; one thread at
+/// a time.
 class CompiledFormula {
   public:
     /// Throws SceneError at `key` for a text that is no formula. An empty text is 0.
-    CompiledFormula(const Scene& scene, std::string key, const Formula& text);
+    CompiledFormula(const Scene& scene, std::string key, const Formula& text, Variable variable = Variable::place);
     ~CompiledFormula();
     CompiledFormula(CompiledFormula&&) noexcept;
     CompiledFormula& operator=(CompiledFormula&&) noexcept;
 
     /// Throws SceneError where the value is not finite.
     double operator()(const Point& p) const;
+    /// At a time [s].
+    double operator()(double t) const { return (*this)(Point{t, 0, 0}); }
 
   private:
     struct Impl;

@@ -47,6 +47,14 @@ void read_constants(TomlTable& root) {
     }
 }
 
+std::pair<double, double> read_sides(const TomlValue& value) {
+    const std::vector<TomlValue> sides = value.items("an array of two numbers");
+    if (sides.size() != 2) value.reject("an array of two numbers");
+    const double low = sides[0].number(), high = sides[1].number();
+    if (!(low < high)) value.fail(fmt::format("found [{}, {}], expected the lower side first", low, high));
+    return {low, high};
+}
+
 void read_output(TomlTable& root) {
     TomlTable table(root.get("output"));
     OutputTimes& output = root.scene().output;
@@ -62,6 +70,8 @@ void read_scene(TomlTable& root) {
     if (const auto v = root.get("dimension")) scene.dimension = v.integer({2, 3});
     if (const auto v = root.get("gravity")) scene.gravity = v.point();
     read_constants(root);
+    if (const auto v = root.get("acceleration")) scene.acceleration = read_formulas(v, Variable::time);
+    read_domain(root);
     read_method(root);
     read_effects(root);
     read_materials(root);
@@ -73,6 +83,19 @@ void read_scene(TomlTable& root) {
 }
 
 }  // namespace
+
+void read_domain(TomlTable& root) {
+    const TomlValue value = root.get("domain");
+    if (!value) return;
+    TomlTable table(value);
+    if (const auto periodic = table.get("periodic")) {
+        TomlTable axes(periodic);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(root.scene().dimension); ++k)
+            if (const auto sides = axes.get(std::string(1, "xyz"[k]))) root.scene().periodic[k] = read_sides(sides);
+        axes.finish();
+    }
+    table.finish();
+}
 
 Scene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
     toml::table table = parse(read_text(path), path);

@@ -3,10 +3,12 @@
 
 #include <string>
 
+#include "engine/scene/formula.hpp"
 #include "engine/scene/toml_table.hpp"
 
 namespace sluice {
 
+void read_domain(TomlTable& root);
 void read_method(TomlTable& root);
 void read_effects(TomlTable& root);
 void read_materials(TomlTable& root);
@@ -15,6 +17,9 @@ void read_walls(TomlTable& root);
 void read_probes(TomlTable& root);
 
 ShapePtr read_shape(const TomlValue& value);
+
+/// Components as numbers or formulas, as many as the scene has dimensions.
+std::array<Formula, 3> read_formulas(const TomlValue& value, Variable variable);
 
 /// `spacing` or `spacing_ratio` of a body or wall; the scene's spacing without either.
 double read_spacing(TomlTable& table);

@@ -32,7 +32,7 @@ struct Material {
     double bulk_modulus() const { return density * sound_speed * sound_speed; }
 };
 
-/// A velocity component as a formula in x, y, z and the scene's [constants]; empty = 0.
+/// A formula in x, y, z, or in t, and the scene's [constants]; empty = 0.
 using Formula = std::string;
 
 struct Body {
@@ -44,9 +44,19 @@ struct Body {
     std::array<Formula, 3> velocity;  ///< initial velocity [m/s]
     /// Height of the free surface against gravity [m]; none = start at p = 0.
     std::optional<double> hydrostatic_surface;
+    Formula pressure;  ///< initial, of a fluid, on top of the hydrostatic one [Pa]
 };
 
 enum class WallKind { mirror, fixed };
+
+/// How a wall moves: its displacement as formulas in t, or as a table between whose rows it moves uniformly.
+struct Motion {
+    std::array<Formula, 3> displacement;  ///< [m]
+    std::vector<double> time;             ///< rising [s]
+    std::vector<Point> place;             ///< displacement at these times [m]
+
+    bool moves() const { return !time.empty() || !(displacement == std::array<Formula, 3>{}); }
+};
 
 struct Wall {
     std::string name;
@@ -54,6 +64,7 @@ struct Wall {
     Point point{};       ///< mirror: a point of the plane [m]
     Point normal{};      ///< mirror: unit normal into the fluid
     ShapePtr shape;      ///< fixed: filled with layers of fixed ghost particles
+    Motion motion;       ///< fixed
     double spacing = 0;  ///< fixed: [m]
 };
 
@@ -118,6 +129,9 @@ struct Scene {
                          ///< summary.json
     int dimension = 2;
     Point gravity{};
+    std::array<Formula, 3> acceleration;  ///< that depends on time, as formulas in t; added to gravity [m/s²]
+    /// Sides of a periodic box along each axis, none = not periodic. [m]
+    std::array<std::optional<std::pair<double, double>>, 3> periodic;
     std::map<std::string, double> constants;
     std::vector<Material> materials;
     std::vector<Body> bodies;

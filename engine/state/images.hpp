@@ -1,11 +1,17 @@
-// Mirror walls: slip walls made by reflecting the particles in front of them.
+// Images of particles: behind mirror walls, and beyond the sides of a periodic box.
 //
-// The image of a particle at x across the plane (P, n) is at x − 2 ((x − P)·n) n, and its velocity likewise has its
-// normal part reversed; scalars are copied. With images as neighbours a particle at the wall sees a full support, no
-// flow through the plane and no friction along it. Where two planes meet, images are reflected again across the later
-// plane, so that a corner is filled.
+// Mirror walls are slip walls made by reflecting the particles in front of them. The image of a particle at x across
+// the plane (P, n) is at x − 2 ((x − P)·n) n, and its velocity likewise has its normal part reversed; scalars are
+// copied. With images as neighbours a particle at the wall sees a full support, no flow through the plane and no
+// friction along it.
+//
+// A periodic box of length L along n has a plane at either side; what is near one has an image moved by L n, so that it
+// stands beyond the other.
+//
+// Where two planes meet, images are imaged again across the later plane, so that a corner is filled.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -15,13 +21,16 @@
 namespace sluice {
 
 template <int Dim>
-struct MirrorPlane {
+struct ImagePlane {
     Vec<Dim> point;
-    Vec<Dim> normal;  ///< unit, into the fluid
+    Vec<Dim> normal;   ///< unit, into the fluid
+    double shift = 0;  ///< length of a periodic box [m]; 0 = mirror
+    int partner = -1;  ///< number of the periodic box's other plane
 
+    bool is_mirror() const { return shift == 0; }
     double distance(const Vec<Dim>& x) const { return dot(x - point, normal); }
-    Vec<Dim> reflect_position(const Vec<Dim>& x) const { return x - 2 * distance(x) * normal; }
-    Vec<Dim> reflect_direction(const Vec<Dim>& v) const { return v - 2 * dot(v, normal) * normal; }
+    Vec<Dim> image_position(const Vec<Dim>& x) const { return x + (is_mirror() ? -2 * distance(x) : shift) * normal; }
+    Vec<Dim> image_direction(const Vec<Dim>& v) const { return is_mirror() ? v - 2 * dot(v, normal) * normal : v; }
 };
 
 /// Which images a set of particles has. Image number k stands at index owned + k.
@@ -31,7 +40,7 @@ class Images {
     /// Decides the images of the first `owned` particles: those no farther from a plane than range(i), and appends
     /// their positions. [m]
     template <class Range>
-    void create(const std::vector<MirrorPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
+    void create(const std::vector<ImagePlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
                 Range&& range);
 
     /// Brings the images into another order: image k is then the one that was at index order[k]. The columns must be
@@ -54,10 +63,10 @@ class Images {
         parallel_for(count(), [&](std::size_t k) { column[owned + k] = column[parent_[k]]; });
     }
     void refresh_positions(VectorField<Dim>& field, std::size_t owned) const {
-        reflect(field, owned, [](const MirrorPlane<Dim>& p, const Vec<Dim>& x) { return p.reflect_position(x); });
+        reflect(field, owned, [](const ImagePlane<Dim>& p, const Vec<Dim>& x) { return p.image_position(x); });
     }
     void refresh_directions(VectorField<Dim>& field, std::size_t owned) const {
-        reflect(field, owned, [](const MirrorPlane<Dim>& p, const Vec<Dim>& v) { return p.reflect_direction(v); });
+        reflect(field, owned, [](const ImagePlane<Dim>& p, const Vec<Dim>& v) { return p.image_direction(v); });
     }
     std::size_t bytes() const { return parent_.capacity() * sizeof(Index) + path_.capacity() * sizeof(std::uint16_t); }
 
@@ -74,11 +83,15 @@ class Images {
         });
     }
     Vec<Dim> place_of(Vec<Dim> x, std::uint16_t path) const {
-        for (const std::uint8_t plane : paths_[path]) x = planes_[plane].reflect_position(x);
+        for (const std::uint8_t plane : paths_[path]) x = planes_[plane].image_position(x);
         return x;
     }
 
-    std::vector<MirrorPlane<Dim>> planes_;
+    bool leads_across(std::uint16_t path, int plane) const {
+        return std::find(paths_[path].begin(), paths_[path].end(), plane) != paths_[path].end();
+    }
+
+    std::vector<ImagePlane<Dim>> planes_;
     std::vector<Path> paths_;
     Array<Index> parent_, parent_buffer_;
     Array<std::uint16_t> path_, path_buffer_;  ///< into paths_
@@ -86,7 +99,7 @@ class Images {
 
 template <int Dim>
 template <class Range>
-void Images<Dim>::create(const std::vector<MirrorPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
+void Images<Dim>::create(const std::vector<ImagePlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
                          Range&& range) {
     planes_ = planes;
     paths_.assign(1, {});
@@ -100,6 +113,7 @@ void Images<Dim>::create(const std::vector<MirrorPlane<Dim>>& planes, VectorFiel
             const Index owner = i < owned ? static_cast<Index>(i) : parent_[i - owned];
             const std::uint16_t path = i < owned ? std::uint16_t{0} : path_[i - owned];
             if (planes[p].distance(place_of(position[owner], path)) > range(owner)) continue;
+            if (!planes[p].is_mirror() && leads_across(path, planes[p].partner)) continue;  // would lead back
             parent_.push_back(owner);
             if (onward[path] == 0) {
                 onward[path] = static_cast<std::uint16_t>(paths_.size());

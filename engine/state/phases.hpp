@@ -48,7 +48,8 @@ struct SolidPhase : PhaseBase<Dim> {
     VectorField<Dim> mean_acceleration;       ///< (v^(n+1) − v^n)/Δt, if it is the fluid's moving boundary [m/s²]
 };
 
-/// Layers of fixed ghosts of rigid walls; their pressure is taken from the fluid in front of them.
+/// Layers of fixed ghosts of rigid walls, fixed to their wall, which may move; their pressure is taken from the fluid
+/// in front of them.
 template <int Dim>
 struct WallPhase {
     std::size_t owned = 0;
@@ -58,6 +59,10 @@ struct WallPhase {
     ScalarField smoothing_length;  ///< [m]
     Array<std::uint32_t> id;
     Array<std::uint16_t> body;  ///< index into Scene::walls
+
+    // Only if a wall moves.
+    VectorField<Dim> initial_position;  ///< [m]
+    VectorField<Dim> velocity;          ///< [m/s]
 };
 
 /// The solids' particles that fluid can come near, as the fluid's moving boundary: copies of what the fluid sees.

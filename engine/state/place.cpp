@@ -79,11 +79,12 @@ void place_body(const Scene& scene, std::size_t number, const Packing& packing, 
     const LinearEquationOfState eos = (is_fluid ? state.water : state.rubber)->eos;
     PhaseBase<Dim>& phase = is_fluid ? static_cast<PhaseBase<Dim>&>(state.fluid) : state.solid;
     const InitialVelocity<Dim> velocity(scene, body);
+    const CompiledFormula initial_pressure(scene, "bodies." + body.name + ".pressure", body.pressure);
     // h follows the lattice as it was fitted, so that h/d and with it every sum over a full support is what was asked
     // for.
     const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
     for (const Point& p : packing.position) {
-        const double pressure = is_fluid ? hydrostatic_pressure(scene, body, p, eos.density) : 0;
+        const double pressure = is_fluid ? hydrostatic_pressure(scene, body, p, eos.density) + initial_pressure(p) : 0;
         const double density = eos.density_at(pressure);
         const bool clamped = body.clamp && body.clamp->contains(p);
         append(phase, to_vec<Dim>(p), clamped ? Vec<Dim>{} : velocity(p), pressure, density);
@@ -94,11 +95,28 @@ void place_body(const Scene& scene, std::size_t number, const Packing& packing, 
     }
 }
 
+/// Two planes for each axis along which the domain is periodic.
+template <int Dim>
+void place_periodic_sides(const Scene& scene, State<Dim>& state) {
+    for (int k = 0; k < Dim; ++k) {
+        const auto& sides = scene.periodic[static_cast<std::size_t>(k)];
+        if (!sides) continue;
+        const auto [low, high] = *sides;
+        const int first = static_cast<int>(state.image_planes.size());
+        Vec<Dim> at_low, at_high, up;
+        at_low[k] = low;
+        at_high[k] = high;
+        up[k] = 1;
+        state.image_planes.push_back({at_low, up, high - low, first + 1});
+        state.image_planes.push_back({at_high, -1.0 * up, high - low, first});
+    }
+}
+
 template <int Dim>
 void place_wall(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
     const Wall& wall = scene.walls[number];
     if (wall.kind == WallKind::mirror) {
-        state.mirrors.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
+        state.image_planes.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
         return;
     }
     const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
@@ -206,6 +224,8 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     allocate(effects, "fluid", state.fluid.id.size(), state.fluid);
     allocate(effects, "solid", state.solid.id.size(), state.solid);
     allocate(effects, "wall", state.wall.id.size(), state.wall);
+    if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
+    place_periodic_sides(scene, state);
     find_smoothing_range(state);
     if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
     if (effects.has(Effect::moving_boundary)) place_boundary(scene, effects, bodies, state);

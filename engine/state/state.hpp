@@ -28,12 +28,12 @@ struct State {
     InterfaceElements<Dim> elements;
     BoundaryParticles<Dim> boundary;
     SurfaceChains surface;
-    std::vector<MirrorPlane<Dim>> mirrors;
-    Vec<Dim> gravity;              ///< [m/s²]
-    std::optional<Medium> water;   ///< the fluid's, if there is fluid
-    std::optional<Medium> rubber;  ///< the solid's, if there is a solid
-    double max_h = 0;              ///< largest smoothing length [m]
-    double min_h = 0;              ///< smallest [m]
+    std::vector<ImagePlane<Dim>> image_planes;  ///< mirror walls and sides of periodic boxes
+    Vec<Dim> gravity;                           ///< [m/s²]
+    std::optional<Medium> water;                ///< the fluid's, if there is fluid
+    std::optional<Medium> rubber;               ///< the solid's, if there is a solid
+    double max_h = 0;                           ///< largest smoothing length [m]
+    double min_h = 0;                           ///< smallest [m]
 };
 
 /// Fills the scene's bodies and walls with particles, in their initial state. Throws SceneError.

@@ -52,6 +52,8 @@ void visit_columns(SolidPhase<Dim>& p, F&& f) {
 template <int Dim, class F>
 void visit_columns(WallPhase<Dim>& p, F&& f) {
     detail::visit_tuple("position", p.position, f);
+    detail::visit_tuple("initial_position", p.initial_position, f);
+    detail::visit_tuple("velocity", p.velocity, f);
     f("pressure", p.pressure), f("volume", p.volume), f("smoothing_length", p.smoothing_length);
     f("id", p.id), f("body", p.body);
 }

@@ -66,10 +66,10 @@ double finish_fluid_step(State<Dim>& state, double dt) {
     const LinearEquationOfState eos = state.water->eos;
     return std::sqrt(nonnegative_max(fluid.owned, [&](std::size_t i) {
         advance_position_and_density(fluid, dt, i);
-        for (const MirrorPlane<Dim>& plane : state.mirrors) {
-            if (plane.distance(fluid.position[i]) >= 0) continue;
-            fluid.position.set(i, plane.reflect_position(fluid.position[i]));
-            fluid.velocity.set(i, plane.reflect_direction(fluid.velocity[i]));
+        for (const ImagePlane<Dim>& plane : state.image_planes) {
+            if (!plane.is_mirror() || plane.distance(fluid.position[i]) >= 0) continue;
+            fluid.position.set(i, plane.image_position(fluid.position[i]));
+            fluid.velocity.set(i, plane.image_direction(fluid.velocity[i]));
         }
         set_fluid_pressure(fluid, eos, i);
         return norm2(fluid.velocity[i]);

@@ -33,14 +33,7 @@ Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, doubl
       fluid_skin_(skin_for(state.fluid.smoothing_length)),
       solid_skin_(skin_for(state.solid.smoothing_length)),
       coupling_skin_(skin_over_h * state.min_h, state.min_h) {
-    if (effects.has(Effect::fixed_wall)) {
-        auto& wall = state_.wall;
-        wall_grid_.build(wall.position, 0, wall.owned, cell_over_h_ * largest(wall.smoothing_length),
-                         wall.smoothing_length);
-        reorder(wall, wall_grid_.order());
-        wall_grid_.particles_were_sorted(0);
-        make_wall_images();
-    }
+    if (effects.has(Effect::fixed_wall)) sort_walls();
     build_solid();
     build_fluid();
     build_coupling();
@@ -87,6 +80,20 @@ bool Neighborhood<Dim>::refresh_solid() {
     return false;
 }
 
+/// Brings what has left a periodic box back in at the other side. In between particles may stand outside, as their
+/// lists know them there.
+template <int Dim>
+void Neighborhood<Dim>::wrap_fluid() {
+    auto& fluid = state_.fluid;
+    for (const ImagePlane<Dim>& plane : state_.image_planes) {
+        if (plane.is_mirror()) continue;
+        parallel_for(fluid.owned, [&](std::size_t i) {
+            const Vec<Dim> x = fluid.position[i];
+            if (plane.distance(x) < 0) fluid.position.set(i, plane.image_position(x));
+        });
+    }
+}
+
 template <int Dim>
 void Neighborhood<Dim>::sort_fluid() {
     auto& fluid = state_.fluid;
@@ -108,11 +115,21 @@ void Neighborhood<Dim>::sort_solid() {
 }
 
 template <int Dim>
+void Neighborhood<Dim>::sort_walls() {
+    auto& wall = state_.wall;
+    wall_grid_.build(wall.position, 0, wall.owned, cell_over_h_ * largest(wall.smoothing_length),
+                     wall.smoothing_length);
+    reorder(wall, wall_grid_.order());
+    wall_grid_.particles_were_sorted(0);
+    make_wall_images();
+}
+
+template <int Dim>
 void Neighborhood<Dim>::make_fluid_images() {
     auto& fluid = state_.fluid;
     // A particle at distance s from the plane has its image at −s; the nearest that can feel it stands on the plane.
     const double farthest = half_support() * state_.max_h + fluid_skin_.skin();
-    fluid_images_.create(state_.mirrors, fluid.position, fluid.owned,
+    fluid_images_.create(state_.image_planes, fluid.position, fluid.owned,
                          [&](std::size_t i) { return half_support() * fluid.smoothing_length[i] + farthest; });
     const std::size_t n = fluid.position.size();
     fluid_images_.extend(fluid.smoothing_length, fluid.owned);
@@ -130,10 +147,10 @@ void Neighborhood<Dim>::make_fluid_images() {
 
 template <int Dim>
 void Neighborhood<Dim>::make_wall_images() {
-    if (!effects_.has(Effect::mirror_wall)) return;
+    if (!has_images()) return;
     auto& wall = state_.wall;
     const double farthest = half_support() * state_.max_h + fluid_skin_.skin();
-    wall_images_.create(state_.mirrors, wall.position, wall.owned,
+    wall_images_.create(state_.image_planes, wall.position, wall.owned,
                         [&](std::size_t i) { return half_support() * wall.smoothing_length[i] + farthest; });
     wall_images_.extend(wall.smoothing_length, wall.owned);
     wall_image_grid_.build(wall.position, wall.owned, wall.position.size(),
@@ -143,13 +160,17 @@ void Neighborhood<Dim>::make_wall_images() {
     wall_images_.refresh_positions(wall.position, wall.owned);
     for (ScalarField* column : {&wall.volume, &wall.smoothing_length, &wall.pressure})
         wall_images_.extend(*column, wall.owned);
+    if (!effects_.has(Effect::moving_wall)) return;
+    wall.velocity.resize(wall.position.size());
+    wall_images_.refresh_directions(wall.velocity, wall.owned);
 }
 
 template <int Dim>
 void Neighborhood<Dim>::make_element_images() {
     auto& elements = state_.elements;
     const double farthest = support_ * state_.max_h + coupling_skin_.skin();
-    element_images_.create(state_.mirrors, elements.position, elements.owned, [&](std::size_t) { return farthest; });
+    element_images_.create(state_.image_planes, elements.position, elements.owned,
+                           [&](std::size_t) { return farthest; });
     const std::size_t n = elements.position.size();
     elements.area_normal.resize(n);
     elements.velocity.resize(n);
@@ -164,8 +185,10 @@ void Neighborhood<Dim>::make_element_images() {
 template <int Dim>
 void Neighborhood<Dim>::build_fluid() {
     if (state_.fluid.owned == 0) return;
+    wrap_fluid();
     sort_fluid();
-    if (effects_.has(Effect::mirror_wall)) make_fluid_images();
+    if (effects_.has(Effect::moving_wall)) sort_walls();
+    if (has_images()) make_fluid_images();
     const std::array<const Grid*, 2> fluids{&fluid_grid_, &fluid_image_grid_};
     const std::array<const Grid*, 2> walls{&wall_grid_, &wall_image_grid_};
     const CutOff cut = pair_cut(fluid_skin_.skin());
@@ -228,7 +251,7 @@ void Neighborhood<Dim>::build_interface() {
     auto& elements = state_.elements;
     if constexpr (Dim == 2) state_.surface.update(state_.solid.position, solid_index_of_id_, elements);
     element_grid_.build(elements.position, 0, elements.owned, cell_over_h_ * state_.max_h);
-    const bool mirrored = effects_.has(Effect::mirror_wall);
+    const bool mirrored = has_images();
     if (mirrored) make_element_images();
     const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
     const Set solid{state_.solid.position, state_.solid.smoothing_length};
@@ -250,7 +273,7 @@ void Neighborhood<Dim>::build_boundary() {
     for (std::size_t i = 0; i < boundary.owned; ++i)
         boundary.position.set(i, state_.solid.position[solid_index_of_id_[boundary.solid[i]]]);
     boundary_grid_.build(boundary.position, 0, boundary.owned, cell_over_h_ * state_.max_h, boundary.smoothing_length);
-    const bool mirrored = effects_.has(Effect::mirror_wall);
+    const bool mirrored = has_images();
     if (mirrored) make_boundary_images();
     const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
     const Set solid{boundary.position, boundary.smoothing_length};
@@ -266,7 +289,7 @@ template <int Dim>
 void Neighborhood<Dim>::make_boundary_images() {
     auto& boundary = state_.boundary;
     const double farthest = half_support() * state_.max_h + coupling_skin_.skin();
-    boundary_images_.create(state_.mirrors, boundary.position, boundary.owned,
+    boundary_images_.create(state_.image_planes, boundary.position, boundary.owned,
                             [&](std::size_t i) { return half_support() * boundary.smoothing_length[i] + farthest; });
     const std::size_t n = boundary.position.size();
     boundary.velocity.resize(n);
@@ -318,6 +341,12 @@ void Neighborhood<Dim>::refresh_elements() {
 template <int Dim>
 void Neighborhood<Dim>::refresh_wall_pressure() {
     wall_images_.refresh(state_.wall.pressure, state_.wall.owned);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::refresh_wall_motion() {
+    wall_images_.refresh_positions(state_.wall.position, state_.wall.owned);
+    wall_images_.refresh_directions(state_.wall.velocity, state_.wall.owned);
 }
 
 template <int Dim>

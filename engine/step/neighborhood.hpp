@@ -37,6 +37,7 @@ class Neighborhood {
     void refresh_elements();
     void refresh_boundary();
     void refresh_wall_pressure();
+    void refresh_wall_motion();
 
     const std::vector<Index>& solid_index_of_id() const { return solid_index_of_id_; }
     std::uint64_t builds() const { return builds_; }
@@ -64,8 +65,11 @@ class Neighborhood {
     void build_coupling();
     void prune_fluid();
     void prune_solid();
+    bool has_images() const { return !state_.image_planes.empty(); }
+    void wrap_fluid();
     void sort_fluid();
     void sort_solid();
+    void sort_walls();
     void make_fluid_images();
     void make_wall_images();
     void make_element_images();

@@ -37,6 +37,7 @@ template <int Dim>
 ParticleView<Dim> view_of(const WallPhase<Dim>& p) {
     ParticleView<Dim> v;
     v.position = columns_of(p.position);
+    v.velocity = columns_of(p.velocity);
     v.smoothing_length = p.smoothing_length.data();
     v.volume = p.volume.data();
     v.pressure = p.pressure.data();

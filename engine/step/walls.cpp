@@ -1,8 +1,66 @@
 #include "engine/step/walls.hpp"
 
+#include <algorithm>
+
+#include "kernels/boundary_passes.hpp"
 #include "kernels/wall_passes.hpp"
+#include "neighbor/parallel.hpp"
 
 namespace sluice {
+
+template <int Dim>
+WallPart<Dim>::WallPart(StepContext<Dim>& context) : c_(context) {
+    if (!c_.has(Effect::moving_wall)) return;
+    for (const Wall& wall : c_.scene.walls) {
+        motion_.emplace_back();
+        if (!wall.motion.moves()) continue;
+        motion_.back().emplace(c_.scene, wall);
+        if (norm(motion_.back()->displacement(0)) > 0)
+            c_.scene.fail("walls." + wall.name + ".motion",
+                          "found a displacement at t = 0, expected none: the shape states where the wall starts");
+    }
+    for (auto* column : {&displacement_, &velocity_, &acceleration_, &effective_gravity_})
+        column->resize(motion_.size());
+    finish(0);
+}
+
+template <int Dim>
+double WallPart<Dim>::move_halfway(double t) {
+    if (motion_.empty()) return 0;
+    const auto scope = c_.timer.measure(StepPhase::wall_pass);
+    const double dt = c_.plan.dt;
+    double farthest = 0;
+    for (std::size_t w = 0; w < motion_.size(); ++w) {
+        if (!motion_[w]) continue;
+        const Vec<Dim> from = motion_[w]->displacement(t), to = motion_[w]->displacement(t + dt);
+        const Vec<Dim> mean = (1 / dt) * (to - from);
+        acceleration_[w] = (1 / dt) * (mean - velocity_[w]);
+        velocity_[w] = mean;
+        displacement_[w] = 0.5 * (from + to);
+        farthest = std::max(farthest, norm(to - from));
+    }
+    place(displacement_, velocity_);
+    return farthest;
+}
+
+template <int Dim>
+void WallPart<Dim>::finish(double t) {
+    if (motion_.empty()) return;
+    const auto scope = c_.timer.measure(StepPhase::wall_pass);
+    for (std::size_t w = 0; w < motion_.size(); ++w)
+        if (motion_[w]) displacement_[w] = motion_[w]->displacement(t);
+    place(displacement_, velocity_);
+}
+
+template <int Dim>
+void WallPart<Dim>::place(const std::vector<Vec<Dim>>& displacement, const std::vector<Vec<Dim>>& velocity) {
+    auto& wall = c_.state.wall;
+    parallel_for(wall.owned, [&](std::size_t i) {
+        wall.position.set(i, wall.initial_position[i] + displacement[wall.body[i]]);
+        wall.velocity.set(i, velocity[wall.body[i]]);
+    });
+    c_.neighbors.refresh_wall_motion();
+}
 
 template <int Dim>
 void WallPart<Dim>::forces() {
@@ -10,8 +68,15 @@ void WallPart<Dim>::forces() {
     const auto scope = c_.timer.measure(StepPhase::wall_pass);
     auto& wall = c_.state.wall;
     auto& fluid = c_.state.fluid;
-    c_.pairs += fixed_ghost_pressure<Dim>(view_of(wall), view_of(fluid), c_.neighbors.wall_fluid, c_.state.gravity,
-                                          c_.method, wall.pressure);
+    const Vec<Dim> gravity = c_.state.gravity;
+    const NeighborList& list = c_.neighbors.wall_fluid;
+    if (motion_.empty())
+        c_.pairs += fixed_ghost_pressure<Dim>(view_of(wall), view_of(fluid), list, gravity, c_.method, wall.pressure);
+    else {
+        for (std::size_t w = 0; w < motion_.size(); ++w) effective_gravity_[w] = gravity - acceleration_[w];
+        c_.pairs += moving_ghost_pressure<Dim>(view_of(wall), view_of(fluid), list, effective_gravity_, wall.body,
+                                               c_.method, wall.pressure);
+    }
     c_.neighbors.refresh_wall_pressure();
     c_.pairs +=
         fixed_ghost_force<Dim>(view_of(fluid), view_of(wall), c_.neighbors.fluid_wall, c_.method, fluid.acceleration);
@@ -22,8 +87,12 @@ void WallPart<Dim>::rates() {
     if (!c_.has(Effect::fixed_wall)) return;
     const auto scope = c_.timer.measure(StepPhase::wall_pass);
     auto& fluid = c_.state.fluid;
-    c_.pairs += fixed_ghost_continuity<Dim>(view_of(fluid), view_of(c_.state.wall), c_.neighbors.fluid_wall, c_.method,
-                                            fluid.density_rate);
+    const auto fluid_view = view_of(fluid), wall_view = view_of(c_.state.wall);
+    const NeighborList& list = c_.neighbors.fluid_wall;
+    if (motion_.empty())
+        c_.pairs += fixed_ghost_continuity<Dim>(fluid_view, wall_view, list, c_.method, fluid.density_rate);
+    else
+        boundary_continuity<Dim>(fluid_view, wall_view, list, c_.method, fluid.density_rate);
 }
 
 template class WallPart<2>;
