@@ -15,10 +15,14 @@ Decision needs_fluid(const SceneContent& c) {
     return c.fluid ? Decision{Verdict::required, "fluid bodies: " + c.fluids}
                    : Decision{Verdict::impossible, "no fluid body"};
 }
-Decision needs_solid(const SceneContent& c) {
-    return c.solid ? Decision{Verdict::required, "solid bodies: " + c.solids}
-                   : Decision{Verdict::impossible, "no solid body"};
+/// For what belongs to one of the two descriptions of a solid.
+Decision needs_solid(const SceneContent& c, bool described_so, std::string_view other) {
+    if (!c.solid) return {Verdict::impossible, "no solid body"};
+    if (!described_so) return {Verdict::impossible, fmt::format("the solids are {}", other)};
+    return {Verdict::required, "solid bodies: " + c.solids};
 }
+Decision needs_hypoelastic(const SceneContent& c) { return needs_solid(c, c.hypoelastic, "total Lagrangian"); }
+Decision needs_total_lagrangian(const SceneContent& c) { return needs_solid(c, c.total_lagrangian, "hypoelastic"); }
 
 /// Used if its medium is there and its constant differs from the value at which the term vanishes.
 Decision by_constant(const Decision& medium, std::string_view symbol, double value, double off_value) {
@@ -36,10 +40,15 @@ Decision meeting(const SceneContent& c, Coupling asked, const Method& method) {
 constexpr std::string_view fluid_columns =
     "fluid.position fluid.velocity fluid.acceleration fluid.density fluid.density_rate fluid.pressure fluid.mass "
     "fluid.smoothing_length fluid.id fluid.body fluid.pressure_over_rho2";
-constexpr std::string_view solid_columns =
-    "solid.position solid.velocity solid.acceleration solid.density solid.density_rate solid.pressure solid.mass "
-    "solid.smoothing_length solid.id solid.body solid.clamped solid.deviatoric_stress solid.stress_over_rho2 "
-    "solid.velocity_gradient";
+#define SLUICE_SOLID_COLUMNS                                                                    \
+    "solid.position solid.velocity solid.acceleration solid.density solid.pressure solid.mass " \
+    "solid.smoothing_length solid.id solid.body solid.clamped "
+constexpr std::string_view hypoelastic_columns =
+    SLUICE_SOLID_COLUMNS "solid.density_rate solid.deviatoric_stress solid.stress_over_rho2 solid.velocity_gradient";
+constexpr std::string_view total_lagrangian_columns = SLUICE_SOLID_COLUMNS
+    "solid.reference_position solid.volume solid.deformation solid.corrected_stress solid.gradient_correction "
+    "solid.hourglass_stiffness";
+#undef SLUICE_SOLID_COLUMNS
 constexpr std::string_view element_columns =
     "elements.position elements.area_normal elements.velocity elements.pressure elements.image_pressure "
     "elements.solid_weight elements.force elements.shared_force elements.smoothing_length elements.body "
@@ -65,20 +74,27 @@ const std::array<EffectRow, effect_count> table{{
          return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1);
      }},
     {{Effect::solid_stress, "solid_stress", "solid: continuity, hypoelastic stress with Jaumann rate",
-      "Antoci2007 eqs. 4, 5, 8, 11, 15", solid_columns},
-     [](const Scene&, const SceneContent& c) { return needs_solid(c); }},
+      "Antoci2007 eqs. 4, 5, 8, 11, 15", hypoelastic_columns},
+     [](const Scene&, const SceneContent& c) { return needs_hypoelastic(c); }},
+    {{Effect::total_lagrangian, "total_lagrangian", "solid: hyperelastic stress in the reference configuration",
+      "Vignjevic2006; kernels/total_lagrangian_passes.hpp", total_lagrangian_columns},
+     [](const Scene&, const SceneContent& c) { return needs_total_lagrangian(c); }},
+    {{Effect::hourglass_control, "hourglass_control", "solid: hourglass control", "Ganzenmueller2015; Silling2017", ""},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_total_lagrangian(c), "zeta", s.method.solid.hourglass_control, 0);
+     }},
     {{Effect::solid_viscosity, "solid_viscosity", "solid: artificial viscosity", "Antoci2007 eq. 12", ""},
      [](const Scene& s, const SceneContent& c) {
-         return by_constant(needs_solid(c), "alpha", s.method.solid.artificial_viscosity, 0);
+         return by_constant(needs_solid(c, true, ""), "alpha", s.method.solid.artificial_viscosity, 0);
      }},
     {{Effect::artificial_stress, "artificial_stress", "solid: artificial stress", "Antoci2007 eqs. 13, 14",
       "solid.artificial_stress"},
      [](const Scene& s, const SceneContent& c) {
-         return by_constant(needs_solid(c), "e", s.method.solid.artificial_stress, 0);
+         return by_constant(needs_hypoelastic(c), "e", s.method.solid.artificial_stress, 0);
      }},
     {{Effect::solid_filter, "solid_filter", "solid: velocity filter", "Antoci2007 eq. 16", "solid.velocity_correction"},
      [](const Scene& s, const SceneContent& c) {
-         return by_constant(needs_solid(c), "theta", s.method.solid.velocity_filter, 1);
+         return by_constant(needs_hypoelastic(c), "theta", s.method.solid.velocity_filter, 1);
      }},
     {{Effect::interface_force, "interface_force", "coupling: interface force, reaction, kinematic condition",
       "Antoci2007 eqs. 24-30", element_columns},
@@ -157,6 +173,9 @@ SceneContent content_of(const Scene& scene) {
     for (const Body& body : scene.bodies) {
         const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
         (is_fluid ? c.fluid : c.solid) = true;
+        if (!is_fluid)
+            (scene.materials[body.material].model == SolidModel::hypoelastic ? c.hypoelastic : c.total_lagrangian) =
+                true;
         add_name(is_fluid ? c.fluids : c.solids, body.name);
         if (body.clamp) c.clamp = true, add_name(c.clamps, body.name);
         smallest = std::min(smallest, body.spacing);

@@ -11,7 +11,8 @@ namespace sluice {
 
 /// What the rules look at.
 struct SceneContent {
-    bool fluid = false, solid = false, clamp = false, mirror = false, fixed = false, gravity = false;
+    bool fluid = false, solid = false, hypoelastic = false, total_lagrangian = false, clamp = false, mirror = false,
+         fixed = false, gravity = false;
     bool moving_wall = false, driven = false, many_spacings = false;
     std::string fluids, solids, clamps, mirrors, fixed_walls, moving_walls, periodic_axes;  ///< names, for messages
 };

@@ -16,6 +16,8 @@ enum class Effect {
     artificial_viscosity,
     velocity_filter,
     solid_stress,
+    total_lagrangian,
+    hourglass_control,
     solid_viscosity,
     artificial_stress,
     solid_filter,
@@ -32,7 +34,7 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 19;
+inline constexpr std::size_t effect_count = 21;
 
 /// One row of the table.
 struct EffectInfo {

@@ -11,6 +11,7 @@
 #include "engine/step/fluid.hpp"
 #include "engine/step/hypoelastic_solid.hpp"
 #include "engine/step/interface_coupling.hpp"
+#include "engine/step/total_lagrangian_solid.hpp"
 #include "engine/step/walls.hpp"
 
 namespace sluice {
@@ -28,7 +29,8 @@ struct Simulation<Dim>::Impl {
           body_acceleration(context),
           fluid(context),
           walls(context),
-          solid(context),
+          hypoelastic(context),
+          total_lagrangian(context),
           interface(context),
           boundary(context) {
         context.plan = planner.next(fluid.speed(), norm(state.gravity));
@@ -56,7 +58,7 @@ struct Simulation<Dim>::Impl {
         fluid.kick(steps == 0 || synchronous ? 0.5 * dt : planner.adaptive() ? 0.5 * (before + dt) : dt);
         fluid.filter();
         fluid.drift_halfway();
-        const double solid_motion = effects.has(Effect::solid_stress) ? advance_solid() : 0.0;
+        const double solid_motion = advance_solid();
         const double wall_motion = walls.move_halfway(time);
         rates();
         const double fluid_motion = std::max(fluid.finish(), wall_motion);
@@ -86,7 +88,11 @@ struct Simulation<Dim>::Impl {
     }
 
     double advance_solid() {
-        return guarded([&] { return solid.advance(); });
+        return guarded([&] {
+            if (effects.has(Effect::solid_stress)) return hypoelastic.advance();
+            if (effects.has(Effect::total_lagrangian)) return total_lagrangian.advance();
+            return 0.0;
+        });
     }
     void update_neighbors() {
         const auto scope = context.timer.measure(StepPhase::search);
@@ -117,7 +123,8 @@ struct Simulation<Dim>::Impl {
     BodyAcceleration<Dim> body_acceleration;
     FluidPart<Dim> fluid;
     WallPart<Dim> walls;
-    HypoelasticSolid<Dim> solid;
+    HypoelasticSolid<Dim> hypoelastic;
+    TotalLagrangianSolid<Dim> total_lagrangian;
     InterfaceCoupling<Dim> interface;
     BoundaryCoupling<Dim> boundary;
     std::uint64_t steps = 0;
@@ -172,6 +179,10 @@ const WallPhase<Dim>& Simulation<Dim>::wall() const {
     return impl_->state.wall;
 }
 template <int Dim>
+Hyperelastic Simulation<Dim>::elastic_law() const {
+    return impl_->state.rubber ? impl_->state.rubber->law : Hyperelastic{};
+}
+template <int Dim>
 const InterfaceElements<Dim>& Simulation<Dim>::interface() const {
     return impl_->state.elements;
 }
@@ -193,7 +204,9 @@ const PhaseTimer& Simulation<Dim>::timer() const {
 }
 template <int Dim>
 EnergyBalance Simulation<Dim>::energy() const {
-    return energy_of(impl_->state);
+    EnergyBalance e = energy_of(impl_->state);
+    e.elastic += impl_->total_lagrangian.hourglass_energy();
+    return e;
 }
 template <int Dim>
 Vec<Dim> Simulation<Dim>::momentum() const {

@@ -13,6 +13,7 @@
 #include "engine/step/interface_balance.hpp"
 #include "engine/step/phase_timer.hpp"
 #include "engine/step/step_plan.hpp"
+#include "kernels/terms/hyperelastic.hpp"
 
 namespace sluice {
 
@@ -46,6 +47,7 @@ class Simulation {
     const FluidPhase<Dim>& fluid() const;
     const SolidPhase<Dim>& solid() const;
     const WallPhase<Dim>& wall() const;
+    Hyperelastic elastic_law() const;  ///< of total-Lagrangian solids
     const InterfaceElements<Dim>& interface() const;
     const BoundaryParticles<Dim>& boundary() const;
 

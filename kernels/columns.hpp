@@ -26,6 +26,14 @@ struct ParticleView {
     Columns<Dim> area_normal{};                        ///< n ΔΓ of interface elements [m²; m in 2D]
     Columns<Dim> shared_force{};                       ///< f/ΣVW of interface elements [N/m^Dim]
     Columns<Dim> acceleration{};                       ///< of boundary particles [m/s²]
+
+    // Of elastic particles whose `position` is that of the reference configuration
+    // (kernels/total_lagrangian_passes.hpp)
+    Columns<Dim> current_position{};                     ///< x [m]
+    Columns<Dim * Dim> deformation{};                    ///< F, row by row
+    Columns<Dim * Dim> corrected_stress{};               ///< P L − k F, row by row [Pa]
+    const double* hourglass_stiffness = nullptr;         ///< k [Pa]
+    Columns<sym_components<Dim>> gradient_correction{};  ///< L; read particle by particle, not by pairs
 };
 
 /// Columns of a tuple field as raw pointers.
@@ -49,16 +57,19 @@ template <std::size_t N>
 namespace column {
 inline constexpr unsigned velocity = 1, mass = 2, volume = 4, density = 8, pressure = 16, pressure_over_rho2 = 32,
                           stress_over_rho2 = 64, artificial_stress = 128, area_normal = 256, shared_force = 512,
-                          acceleration = 1U << 20, all = (1U << 21) - 1;
+                          current_position = 1U << 10, deformation = 1U << 11, corrected_stress = 1U << 12,
+                          hourglass_stiffness = 1U << 13, acceleration = 1U << 15, all = (1U << 16) - 1;
 }
 
 /// Where the gathered columns stand: position, smoothing length, then those of `Reads` in the order of their bits.
 template <int Dim, unsigned Reads>
 struct Slots {
     static constexpr int width(unsigned c) {
-        if (c == column::velocity || c == column::area_normal || c == column::shared_force || c == column::acceleration)
-            return Dim;
-        return c == column::stress_over_rho2 || c == column::artificial_stress ? sym_components<Dim> : 1;
+        constexpr unsigned vectors = column::velocity | column::area_normal | column::shared_force |
+                                     column::current_position | column::acceleration;
+        if (c & vectors) return Dim;
+        if (c & (column::deformation | column::corrected_stress)) return Dim * Dim;
+        return c & (column::stress_over_rho2 | column::artificial_stress) ? sym_components<Dim> : 1;
     }
     static constexpr int smoothing_length = Dim;
     /// First slot of a column (one bit); for column::all + 1 the number of slots.
@@ -92,6 +103,10 @@ struct Slots {
         if (Reads & column::area_normal) put(of(column::area_normal), view.area_normal);
         if (Reads & column::shared_force) put(of(column::shared_force), view.shared_force);
         if (Reads & column::acceleration) put(of(column::acceleration), view.acceleration);
+        if (Reads & column::current_position) put(of(column::current_position), view.current_position);
+        if (Reads & column::deformation) put(of(column::deformation), view.deformation);
+        if (Reads & column::corrected_stress) put(of(column::corrected_stress), view.corrected_stress);
+        put_one(column::hourglass_stiffness, view.hourglass_stiffness);
         return p;
     }
 };

@@ -30,4 +30,12 @@ Vec<sym_components<Dim>> tensor_to_sym(const Tensor<Dim>& t) {
         return {{t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(0, 2), t(1, 2)}};
 }
 
+/// Of a tensor stored row by row.
+template <int Dim>
+Tensor<Dim> tensor_of(const Vec<Dim * Dim>& rows) {
+    Tensor<Dim> t;
+    for (int k = 0; k < Dim * Dim; ++k) t(k / Dim, k % Dim) = rows[k];
+    return t;
+}
+
 }  // namespace sluice

@@ -21,6 +21,15 @@ constexpr auto stress_names() {
                                                "stress_xy", "stress_xz", "stress_yz"};
 }
 
+template <int Dim>
+constexpr auto strain_names() {
+    if constexpr (Dim == 2)
+        return std::array<std::string_view, 3>{"green_strain_xx", "green_strain_yy", "green_strain_xy"};
+    else
+        return std::array<std::string_view, 6>{"green_strain_xx", "green_strain_yy", "green_strain_zz",
+                                               "green_strain_xy", "green_strain_xz", "green_strain_yz"};
+}
+
 /// Deviatoric components in the order of the file.
 template <int Dim>
 auto file_components(const Vec<sym_components<Dim>>& s) {
@@ -54,7 +63,8 @@ float narrow(double value) { return static_cast<float>(value); }
 template <int Dim>
 class TableWriter {
   public:
-    enum class Stress { none, written };
+    /// What is written of a solid's stress.
+    enum class Stress { none, stress, stress_and_strain };
 
     TableWriter(std::size_t particles, Stress stress) : stress_(stress) {
         table_.particles = particles;
@@ -63,6 +73,8 @@ class TableWriter {
         if (stress_ == Stress::none) return;
         for (const std::string_view name : stress_names<Dim>()) add_scalar(name);
         add_scalar("von_mises");
+        if (stress_ == Stress::stress_and_strain)
+            for (const std::string_view name : strain_names<Dim>()) add_scalar(name);
     }
 
     void add_fluid(const FluidPhase<Dim>& fluid) {
@@ -73,11 +85,14 @@ class TableWriter {
         }
     }
 
-    void add_solid(const SolidPhase<Dim>& solid) {
+    void add_solid(const SolidPhase<Dim>& solid, const Hyperelastic& law) {
         for (const Index i : order_by_id(solid.id, solid.owned)) {
             add_identity(FrameMedium::solid, solid.body[i], solid.id[i]);
             add_motion(solid.position[i], solid.velocity[i]);
-            add_state(solid.pressure[i], solid.density[i], solid.deviatoric_stress[i]);
+            if (stress_ == Stress::stress_and_strain)
+                add_deformed(solid, law, i);
+            else
+                add_state(solid.pressure[i], solid.density[i], solid.deviatoric_stress[i]);
         }
     }
 
@@ -110,15 +125,28 @@ class TableWriter {
         }
     }
 
+    /// Cauchy stress and Green strain (FᵀF − I)/2.
+    void add_deformed(const SolidPhase<Dim>& solid, const Hyperelastic& law, Index i) {
+        const Tensor<Dim> f = tensor_of<Dim>(solid.deformation[i]);
+        const Tensor<3> stress = cauchy_stress<Dim>(law, f);
+        const double pressure = -stress.trace() / 3;
+        const Tensor<Dim> deviator = stress.template topLeftCorner<Dim, Dim>() + pressure * Tensor<Dim>::Identity();
+        add_state(pressure, solid.density[i], tensor_to_sym<Dim>(deviator),
+                  tensor_to_sym<Dim>(0.5 * (f.transpose() * f - Tensor<Dim>::Identity())));
+    }
+
     /// σ = −p I + S
-    void add_state(double pressure, double density, const Vec<sym_components<Dim>>& deviatoric) {
+    void add_state(double pressure, double density, const Vec<sym_components<Dim>>& deviatoric,
+                   const Vec<sym_components<Dim>>& strain = {}) {
         auto scalar = table_.scalars.begin();
         (scalar++)->value.push_back(narrow(pressure));
         (scalar++)->value.push_back(narrow(density));
         if (stress_ == Stress::none) return;
         const auto s = file_components<Dim>(deviatoric);
         for (std::size_t k = 0; k < s.size(); ++k) (scalar++)->value.push_back(narrow(k < 3 ? s[k] - pressure : s[k]));
-        scalar->value.push_back(narrow(von_mises(s)));
+        (scalar++)->value.push_back(narrow(von_mises(s)));
+        if (stress_ == Stress::stress_and_strain)
+            for (const double e : strain.c) (scalar++)->value.push_back(narrow(e));
     }
 
     FrameTable table_;
@@ -128,17 +156,22 @@ class TableWriter {
 }  // namespace
 
 template <int Dim>
-FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall) {
-    using Writer = TableWriter<Dim>;
-    Writer writer(fluid.owned + solid.owned + wall.owned,
-                  solid.owned > 0 ? Writer::Stress::written : Writer::Stress::none);
+FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall,
+                       const Hyperelastic& law) {
+    using Stress = typename TableWriter<Dim>::Stress;
+    const Stress stress = solid.owned == 0               ? Stress::none
+                          : solid.deformation.size() > 0 ? Stress::stress_and_strain
+                                                         : Stress::stress;
+    TableWriter<Dim> writer(fluid.owned + solid.owned + wall.owned, stress);
     writer.add_fluid(fluid);
-    writer.add_solid(solid);
+    writer.add_solid(solid, law);
     writer.add_wall(wall);
     return writer.take();
 }
 
-template FrameTable frame_table<2>(const FluidPhase<2>&, const SolidPhase<2>&, const WallPhase<2>&);
-template FrameTable frame_table<3>(const FluidPhase<3>&, const SolidPhase<3>&, const WallPhase<3>&);
+template FrameTable frame_table<2>(const FluidPhase<2>&, const SolidPhase<2>&, const WallPhase<2>&,
+                                   const Hyperelastic&);
+template FrameTable frame_table<3>(const FluidPhase<3>&, const SolidPhase<3>&, const WallPhase<3>&,
+                                   const Hyperelastic&);
 
 }  // namespace sluice

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/state/phases.hpp"
+#include "kernels/terms/hyperelastic.hpp"
 
 namespace sluice {
 
@@ -24,14 +25,15 @@ struct FrameTable {
     std::size_t particles = 0;
     std::vector<float> points;         ///< x, y, z of each particle [m]; z = 0 in 2D
     std::vector<float> velocity;       ///< likewise [m/s]
-    std::vector<FrameScalar> scalars;  ///< pressure and density; with solids also stress; NaN: no value
+    std::vector<FrameScalar> scalars;  ///< pressure and density; with solids also stress and strain; NaN: no value
     std::vector<std::uint8_t> medium;  ///< FrameMedium
     std::vector<std::uint16_t> body;   ///< index into the scene's bodies, for walls into its walls
     std::vector<std::uint32_t> id;     ///< number within the medium
 };
 
-/// Images are left out.
+/// Images are left out. `law`: of a total-Lagrangian solid, whose stress and Green strain follow from its deformation.
 template <int Dim>
-FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall);
+FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall,
+                       const Hyperelastic& law = {});
 
 }  // namespace sluice

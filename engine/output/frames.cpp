@@ -94,7 +94,8 @@ FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory) : folder_(
 template <int Dim>
 void FrameWriter<Dim>::write(const Simulation<Dim>& simulation) {
     const Frame frame{fmt::format("frame_{:04}.hdf", frames_.size()), simulation.time()};
-    write_frame(folder_ / frame.name, frame_table(simulation.fluid(), simulation.solid(), simulation.wall()),
+    write_frame(folder_ / frame.name,
+                frame_table(simulation.fluid(), simulation.solid(), simulation.wall(), simulation.elastic_law()),
                 {frame.time, simulation.work().steps, simulation.scene().title});
     frames_.push_back(frame);
     write_series();

@@ -42,8 +42,13 @@ Material read_material(TomlTable& table, const std::string& name) {
     material.density = table.get("density").number(positive);
     if (material.kind == MaterialKind::fluid)
         material.sound_speed = table.get("sound_speed").number(positive);
-    else
+    else {
+        material.model =
+            table.scene().method.preset == Preset::paper ? SolidModel::hypoelastic : SolidModel::saint_venant_kirchhoff;
+        if (const auto v = table.get("model"))
+            material.model = static_cast<SolidModel>(v.choice({"hypoelastic", "st-venant-kirchhoff", "neo-hookean"}));
         read_moduli(table, material);
+    }
     table.finish();
     return material;
 }

@@ -54,6 +54,7 @@ void read_solid(TomlTable& method, MediumMethod& solid) {
     if (const auto v = table.get("artificial_viscosity")) solid.artificial_viscosity = v.number(not_negative);
     if (const auto v = table.get("artificial_stress")) solid.artificial_stress = v.number(not_negative);
     if (const auto v = table.get("artificial_stress_exponent")) solid.artificial_stress_exponent = v.integer({1, 8});
+    if (const auto v = table.get("hourglass_control")) solid.hourglass_control = v.number(not_negative);
     table.finish();
 }
 

@@ -21,12 +21,17 @@ class SceneError : public std::runtime_error {
 
 enum class MaterialKind { fluid, solid };
 
+/// How a solid's stress follows from its motion: by rates in the deformed body, as in the paper, or from its reference
+/// configuration (total Lagrangian).
+enum class SolidModel { hypoelastic, saint_venant_kirchhoff, neo_hookean };
+
 struct Material {
     std::string name;
     MaterialKind kind = MaterialKind::fluid;
     double density = 0;        ///< reference density ρ0 [kg/m³]
     double sound_speed = 0;    ///< c0 [m/s]: given for a fluid; sqrt(K/ρ0) for a solid
     double shear_modulus = 0;  ///< μ [Pa], 0 for a fluid
+    SolidModel model = SolidModel::hypoelastic;
 
     /// K = ρ0 c0² [Pa]
     double bulk_modulus() const { return density * sound_speed * sound_speed; }
@@ -83,6 +88,7 @@ struct MediumMethod {
     double artificial_viscosity = 0;     ///< α of eq. (12)
     double artificial_stress = 0;        ///< e of eq. (14)
     int artificial_stress_exponent = 4;  ///< q of eq. (11)
+    double hourglass_control = 0.1;      ///< ζ of kernels/total_lagrangian_passes.hpp, in units of Young's modulus
 };
 
 enum class Preset { paper, modern };

@@ -31,14 +31,25 @@ struct FluidPhase : PhaseBase<Dim> {
     VectorField<Dim> velocity_correction;  ///< velocity filter: what eq. (16) adds [m/s]
 };
 
+/// A solid's particles. Those of the hypoelastic model and those of the total-Lagrangian one have some columns each.
 template <int Dim>
 struct SolidPhase : PhaseBase<Dim> {
+    Array<std::uint8_t> clamped;  ///< 1 = held fixed
+
+    // hypoelastic
     SymTensorField<Dim> deviatoric_stress;    ///< S [Pa]; in 2D S_zz = -S_xx - S_yy (plane strain)
     SymTensorField<Dim> stress_over_rho2;     ///< σ/ρ² [Pa m⁶/kg²]
     SymTensorField<Dim> artificial_stress;    ///< R of eq. (14), same unit
     TupleField<Dim * Dim> velocity_gradient;  ///< dv_i/dx_j, row-major [1/s]
-    Array<std::uint8_t> clamped;              ///< 1 = held fixed
     VectorField<Dim> velocity_correction;     ///< velocity filter, only if the scene filters its solids [m/s]
+
+    // total Lagrangian (kernels/total_lagrangian_passes.hpp); acceleration is then the elastic one
+    VectorField<Dim> reference_position;      ///< X [m]
+    ScalarField volume;                       ///< V in the reference configuration [m³; m² in 2D]
+    TupleField<Dim * Dim> deformation;        ///< F, row by row
+    TupleField<Dim * Dim> corrected_stress;   ///< T = P L − k F, row by row [Pa]
+    SymTensorField<Dim> gradient_correction;  ///< L
+    ScalarField hourglass_stiffness;          ///< k [Pa]
 
     // Only if it meets a fluid: the fluid's force, constant over a step, and the motion over the step that it goes
     // with.

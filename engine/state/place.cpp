@@ -17,7 +17,14 @@ Vec<Dim> to_vec(const Point& p) {
     return v;
 }
 
-Medium medium_of(const Material& m) { return {m.name, {m.density, m.sound_speed}, m.shear_modulus}; }
+Medium medium_of(const Material& m) {
+    const ElasticLaw law =
+        m.model == SolidModel::neo_hookean ? ElasticLaw::neo_hookean : ElasticLaw::saint_venant_kirchhoff;
+    return {m.name,
+            {m.density, m.sound_speed},
+            m.shear_modulus,
+            {law, m.bulk_modulus() - 2.0 / 3 * m.shear_modulus, m.shear_modulus}};
+}
 
 /// Remembers the one material of a medium; a second one is refused, because pairs across materials are not defined.
 void set_medium(const Scene& scene, const Body& body, std::optional<Medium>& medium) {
@@ -226,6 +233,11 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     allocate(effects, "wall", state.wall.id.size(), state.wall);
     if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
     place_periodic_sides(scene, state);
+    if (effects.has(Effect::total_lagrangian)) {
+        state.solid.reference_position = state.solid.position;
+        for (std::size_t i = 0; i < state.solid.owned; ++i)
+            state.solid.volume[i] = state.solid.mass[i] / state.solid.density[i];
+    }
     find_smoothing_range(state);
     if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
     if (effects.has(Effect::moving_boundary)) place_boundary(scene, effects, bodies, state);

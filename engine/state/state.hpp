@@ -10,6 +10,7 @@
 #include "engine/state/phases.hpp"
 #include "engine/state/surface.hpp"
 #include "kernels/terms/equation_of_state.hpp"
+#include "kernels/terms/hyperelastic.hpp"
 
 namespace sluice {
 
@@ -18,6 +19,7 @@ struct Medium {
     std::string name;
     LinearEquationOfState eos;
     double shear_modulus = 0;  ///< μ [Pa]
+    Hyperelastic law;          ///< of a total-Lagrangian solid
 };
 
 template <int Dim>

@@ -46,7 +46,11 @@ void visit_columns(SolidPhase<Dim>& p, F&& f) {
     detail::visit_tuple("halfway_position", p.halfway_position, f);
     detail::visit_tuple("mean_velocity", p.mean_velocity, f);
     detail::visit_tuple("mean_acceleration", p.mean_acceleration, f);
-    f("clamped", p.clamped);
+    detail::visit_tuple("reference_position", p.reference_position, f);
+    detail::visit_tuple("deformation", p.deformation, f);
+    detail::visit_tuple("corrected_stress", p.corrected_stress, f);
+    detail::visit_tuple("gradient_correction", p.gradient_correction, f);
+    f("clamped", p.clamped), f("volume", p.volume), f("hourglass_stiffness", p.hourglass_stiffness);
 }
 
 template <int Dim, class F>

@@ -8,14 +8,19 @@
 namespace sluice {
 namespace {
 
-/// Energies that both media have.
 template <int Dim>
-void add_common(const PhaseBase<Dim>& phase, const LinearEquationOfState& eos, const Vec<Dim>& gravity,
-                EnergyBalance& e) {
+void add_motion(const PhaseBase<Dim>& phase, const Vec<Dim>& gravity, EnergyBalance& e) {
     e.kinetic +=
         ordered_sum<double>(phase.owned, [&](std::size_t i) { return 0.5 * phase.mass[i] * norm2(phase.velocity[i]); });
     e.potential -= ordered_sum<double>(phase.owned,
                                        [&](std::size_t i) { return phase.mass[i] * dot(gravity, phase.position[i]); });
+}
+
+/// Energies that both media of the paper have.
+template <int Dim>
+void add_common(const PhaseBase<Dim>& phase, const LinearEquationOfState& eos, const Vec<Dim>& gravity,
+                EnergyBalance& e) {
+    add_motion(phase, gravity, e);
     e.compression +=
         ordered_sum<double>(phase.owned, [&](std::size_t i) { return phase.mass[i] * eos.energy(phase.density[i]); });
 }
@@ -28,6 +33,14 @@ EnergyBalance energy_of(const State<Dim>& state) {
     if (state.water) add_common<Dim>(state.fluid, state.water->eos, state.gravity, e);
     if (!state.rubber) return e;
     const auto& solid = state.solid;
+    if (solid.deformation.size() > 0) {
+        add_motion<Dim>(solid, state.gravity, e);
+        e.elastic = ordered_sum<double>(solid.owned, [&](std::size_t i) {
+            return solid.volume[i] *
+                   state.rubber->law.template energy_density<Dim>(tensor_of<Dim>(solid.deformation[i]));
+        });
+        return e;
+    }
     add_common<Dim>(solid, state.rubber->eos, state.gravity, e);
     e.elastic = ordered_sum<double>(solid.owned, [&](std::size_t i) {
         const double s2 = contract_deviator<Dim>(sym_to_tensor<Dim>(solid.deviatoric_stress[i]));

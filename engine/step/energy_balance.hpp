@@ -6,8 +6,8 @@ namespace sluice {
 struct EnergyBalance {
     double kinetic = 0;
     double potential = 0;
-    double compression = 0;  ///< of both media: ∫ p/ρ² dρ
-    double elastic = 0;      ///< of the solid's deviatoric stress: S:S/4μ
+    double compression = 0;  ///< of fluid and hypoelastic solid: ∫ p/ρ² dρ
+    double elastic = 0;  ///< of the solid's deviatoric stress, S:S/4μ; of a total-Lagrangian solid ψ(F) altogether
     double total() const { return kinetic + potential + compression + elastic; }
 };
 

@@ -11,7 +11,7 @@ namespace sluice {
 
 template <int Dim>
 HypoelasticSolid<Dim>::HypoelasticSolid(StepContext<Dim>& context) : c_(context) {
-    if (!c_.state.rubber) return;
+    if (!c_.has(Effect::solid_stress)) return;
     const MediumMethod& m = c_.scene.method.solid;
     terms_ = {m.artificial_viscosity, c_.state.rubber->eos.sound_speed, m.artificial_stress,
               m.artificial_stress_exponent, c_.scene.method.smoothing_length};

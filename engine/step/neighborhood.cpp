@@ -71,7 +71,7 @@ void Neighborhood<Dim>::update_solid() {
 /// Returns true if the solid's particles have changed their places in memory.
 template <int Dim>
 bool Neighborhood<Dim>::refresh_solid() {
-    if (state_.solid.owned == 0) return false;
+    if (state_.solid.owned == 0 || effects_.has(Effect::total_lagrangian)) return false;
     if (solid_skin_.outdated()) {
         build_solid();
         return true;
@@ -218,9 +218,15 @@ void Neighborhood<Dim>::build_solid() {
     if (state_.solid.owned == 0) return;
     sort_solid();
     const std::array<const Grid*, 1> solids{&solid_grid_};
-    search_.build(solid_grid_, solids, pair_cut(solid_skin_.skin()), solid_solid);
+    // Neighbours in the reference configuration stay neighbours.
+    const bool for_good = effects_.has(Effect::total_lagrangian);
+    search_.build(solid_grid_, solids, pair_cut(for_good ? 0.0 : solid_skin_.skin()), solid_solid);
     solid_skin_.was_built();
-    prune_solid();
+    if (for_good) {
+        const Set solid{state_.solid.position, state_.solid.smoothing_length};
+        search_.prune(solid, solid, pair_cut(0), solid_solid);
+    } else
+        prune_solid();
 }
 
 template <int Dim>

@@ -11,14 +11,17 @@ namespace sluice {
 template <int Dim>
 std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state) {
     std::vector<CourantLimit> limits;
-    const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium) {
-        if (!medium) return;
+    const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium, double sound_speed) {
         const double h = *std::min_element(phase.smoothing_length.begin(), phase.smoothing_length.end());
-        const double c0 = medium->eos.sound_speed;
-        limits.push_back({medium->name, scene.method.courant * h / c0, h, c0});
+        limits.push_back({medium->name, scene.method.courant * h / sound_speed, h, sound_speed});
     };
-    add(state.fluid, state.water);
-    add(state.solid, state.rubber);
+    if (state.water) add(state.fluid, state.water, state.water->eos.sound_speed);
+    if (!state.rubber) return limits;
+    // The paper takes the speed of compression, √(K/ρ); nothing holds the fastest waves back in the other solid.
+    const bool reference = state.solid.deformation.size() > 0;
+    const Medium& rubber = *state.rubber;
+    const double fastest = std::sqrt(rubber.law.wave_modulus() / rubber.eos.density);
+    add(state.solid, state.rubber, reference ? fastest : rubber.eos.sound_speed);
     return limits;
 }
 

@@ -33,6 +33,20 @@ ParticleView<Dim> view_of(const SolidPhase<Dim>& p) {
     return v;
 }
 
+/// A total-Lagrangian solid: `position` is that of the reference configuration.
+template <int Dim>
+ParticleView<Dim> reference_view_of(const SolidPhase<Dim>& p) {
+    ParticleView<Dim> v = base_view(p);
+    v.position = columns_of(p.reference_position);
+    v.current_position = columns_of(p.position);
+    v.volume = p.volume.data();
+    v.deformation = columns_of(p.deformation);
+    v.corrected_stress = columns_of(p.corrected_stress);
+    v.gradient_correction = columns_of(p.gradient_correction);
+    v.hourglass_stiffness = p.hourglass_stiffness.data();
+    return v;
+}
+
 template <int Dim>
 ParticleView<Dim> view_of(const WallPhase<Dim>& p) {
     ParticleView<Dim> v;

@@ -1,0 +1,38 @@
+// An elastic solid in its reference configuration: its own steps within a step (kernels/total_lagrangian_passes.hpp).
+#pragma once
+
+#include "engine/step/context.hpp"
+#include "kernels/total_lagrangian_passes.hpp"
+
+namespace sluice {
+
+template <int Dim>
+class TotalLagrangianSolid {
+  public:
+    explicit TotalLagrangianSolid(StepContext<Dim>& context);
+
+    /// Goes through a step by kick, drift and kick, under the fluid's force of its beginning: symplectic, so that the
+    /// energy neither grows nor fades. Returns a bound of how far particles have moved. [m]
+    double advance();
+
+    /// What the hourglass control holds. [J; J/m in 2D]
+    double hourglass_energy() const;
+
+  private:
+    double dt() const { return c_.plan.dt / c_.plan.substeps; }
+    void kick();
+    double drift();
+    /// F, T and the elastic acceleration.
+    void update_stress();
+    /// ρ = ρ0/det F, which the fluid sees.
+    void update_density();
+
+    StepContext<Dim>& c_;
+    Hyperelastic law_;
+    ElasticViscosity viscosity_;
+};
+
+extern template class TotalLagrangianSolid<2>;
+extern template class TotalLagrangianSolid<3>;
+
+}  // namespace sluice
