@@ -15,6 +15,8 @@ namespace {
 
 // Constants of the elastic gate.
 constexpr FluidTerms fluid_terms{1, 30};
+constexpr FluidTerms laminar_terms{0, 0, Viscosity::monaghan_gingold, 1e-6},
+    morris_terms{0, 0, Viscosity::morris, 1e-6};
 constexpr SolidTerms solid_terms{1, 134.8, 0.3, 4, 1.5};
 constexpr double filter_theta = 0.92;
 
@@ -26,26 +28,34 @@ Rows<Cube<Dim>> fluid_rows() {
     using S = Cube<Dim>;
     using Out = Output<Dim>;
     const Roles<S> all{&S::medium, &S::medium, &S::list};
-    return {pass_row<FluidRates<Dim>>("fluid_rates", all, Dim + 1,
+    return {
+        pass_row<FluidRates<Dim>>("fluid_rates", all, Dim + 1,
+                                  [](const S& s, Precision p, Out& out) {
+                                      fluid_rates<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors,
+                                                       out.scalars);
+                                  }),
+        pass_row<ViscousMomentum<Dim>>("fluid_momentum", all, Dim,
+                                       [](const S& s, Precision p, Out& out) {
+                                           fluid_momentum<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors);
+                                       }),
+        pass_row<ViscousMomentum<Dim>>("laminar_momentum", all, Dim,
+                                       [](const S& s, Precision p, Out& out) {
+                                           fluid_momentum<Dim>(s.medium.view(), s.list, laminar_terms, p, out.vectors);
+                                       }),
+        pass_row<MorrisMomentum<Dim>>("morris_momentum", all, Dim,
                                       [](const S& s, Precision p, Out& out) {
-                                          fluid_rates<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors,
-                                                           out.scalars);
+                                          fluid_momentum<Dim>(s.medium.view(), s.list, morris_terms, p, out.vectors);
                                       }),
-            pass_row<ViscousMomentum<Dim>>("fluid_momentum", all, Dim,
-                                           [](const S& s, Precision p, Out& out) {
-                                               fluid_momentum<Dim>(s.medium.view(), s.list, fluid_terms, p,
-                                                                   out.vectors);
-                                           }),
-            pass_row<InviscidMomentum<Dim>>("inviscid_momentum", all, Dim,
-                                            [](const S& s, Precision p, Out& out) {
-                                                fluid_momentum<Dim>(s.medium.view(), s.list, {}, p, out.vectors);
-                                            }),
-            pass_row<DensityRate<Dim>>(
-                "continuity", all, 1,
-                [](const S& s, Precision p, Out& out) { continuity<Dim>(s.medium.view(), s.list, p, out.scalars); }),
-            pass_row<FilterSums<Dim>>("velocity_filter", all, Dim, [](const S& s, Precision p, Out& out) {
-                velocity_filter<Dim>(s.medium.view(), s.list, filter_theta, p, out.vectors);
-            })};
+        pass_row<InviscidMomentum<Dim>>("inviscid_momentum", all, Dim,
+                                        [](const S& s, Precision p, Out& out) {
+                                            fluid_momentum<Dim>(s.medium.view(), s.list, {}, p, out.vectors);
+                                        }),
+        pass_row<DensityRate<Dim>>(
+            "continuity", all, 1,
+            [](const S& s, Precision p, Out& out) { continuity<Dim>(s.medium.view(), s.list, p, out.scalars); }),
+        pass_row<FilterSums<Dim>>("velocity_filter", all, Dim, [](const S& s, Precision p, Out& out) {
+            velocity_filter<Dim>(s.medium.view(), s.list, filter_theta, p, out.vectors);
+        })};
 }
 
 template <int Dim>
