@@ -25,6 +25,7 @@ struct ParticleView {
     Columns<sym_components<Dim>> artificial_stress{};  ///< R of eq. (14)
     Columns<Dim> area_normal{};                        ///< n ΔΓ of interface elements [m²; m in 2D]
     Columns<Dim> shared_force{};                       ///< f/ΣVW of interface elements [N/m^Dim]
+    Columns<Dim> density_gradient{};                   ///< ⟨∇ρ⟩ [kg/m⁴]
 };
 
 /// Columns of a tuple field as raw pointers.
@@ -48,14 +49,14 @@ template <std::size_t N>
 namespace column {
 inline constexpr unsigned velocity = 1, mass = 2, volume = 4, density = 8, pressure = 16, pressure_over_rho2 = 32,
                           stress_over_rho2 = 64, artificial_stress = 128, area_normal = 256, shared_force = 512,
-                          all = 1023;
+                          density_gradient = 8192, all = 16383;
 }
 
 /// Where the gathered columns stand: position, smoothing length, then those of `Reads` in the order of their bits.
 template <int Dim, unsigned Reads>
 struct Slots {
     static constexpr int width(unsigned c) {
-        if (c == column::velocity || c == column::area_normal || c == column::shared_force) return Dim;
+        if (c & (column::velocity | column::area_normal | column::shared_force | column::density_gradient)) return Dim;
         return c == column::stress_over_rho2 || c == column::artificial_stress ? sym_components<Dim> : 1;
     }
     static constexpr int smoothing_length = Dim;
@@ -89,6 +90,7 @@ struct Slots {
         if (Reads & column::artificial_stress) put(of(column::artificial_stress), view.artificial_stress);
         if (Reads & column::area_normal) put(of(column::area_normal), view.area_normal);
         if (Reads & column::shared_force) put(of(column::shared_force), view.shared_force);
+        if (Reads & column::density_gradient) put(of(column::density_gradient), view.density_gradient);
         return p;
     }
 };

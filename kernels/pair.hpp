@@ -79,6 +79,8 @@ struct Pair {
     SLUICE_GETTER Tensor artificial_stress_j() const { return side_j.template tuple<column::artificial_stress>(); }
     SLUICE_GETTER Vector area_normal_j() const { return side_j.template tuple<column::area_normal>(); }
     SLUICE_GETTER Vector shared_force_j() const { return side_j.template tuple<column::shared_force>(); }
+    SLUICE_GETTER Vector density_gradient_i() const { return side_i.template tuple<column::density_gradient>(); }
+    SLUICE_GETTER Vector density_gradient_j() const { return side_j.template tuple<column::density_gradient>(); }
 #undef SLUICE_GETTER
 };
 

@@ -1,4 +1,4 @@
-// Plain scalar twins of the fluid's further terms: laminar viscosity.
+// Plain scalar twins of the fluid's further terms: laminar viscosity, density diffusion.
 #pragma once
 
 #include "tests/kernels/twins.hpp"
@@ -33,6 +33,36 @@ Sums<Dim> monaghan_gingold_momentum(const Particles<Dim>& p, double nu) {
         for (int k = 0; k < Dim; ++k) v_x += (p.velocity[i][k] - p.velocity[j][k]) * ij.x[k];
         const double factor = Dim == 2 ? 8 : 10, mean_density = (p.density[i] + p.density[j]) / 2;
         return p.mass[j] * (of_pressures(p, i, j, ij) + factor * nu * v_x / (mean_density * ij.r * ij.r) * ij.grad);
+    });
+}
+
+/// Eq. (8) and δ c0 Σ_j h V_j Ψ_ij·∇W, Ψ_ij = 2 (ρ_j − ρ_i − expected(i, j)) (x_j − x_i)/r²; delta_c = δ c0.
+template <int Dim, class Expected>
+Sums<1> diffusive_continuity(const Particles<Dim>& p, double delta_c, const Expected& expected) {
+    return sum_all<1>(p, p, [&](std::size_t i, std::size_t j, const PairOf<Dim>& ij) {
+        if (ij.r == 0) return Vec<1>{};
+        const double difference = p.density[j] - p.density[i] - expected(i, j);
+        double sum = 0;
+        for (int k = 0; k < Dim; ++k) {
+            const double psi = 2 * difference * (p.position[j][k] - p.position[i][k]) / (ij.r * ij.r);
+            sum += p.mass[j] * (p.velocity[i][k] - p.velocity[j][k]) * ij.grad[k];
+            sum += delta_c * ij.h * p.mass[j] / p.density[j] * psi * ij.grad[k];
+        }
+        return Vec<1>{{sum}};
+    });
+}
+
+/// Σ V (ρ_j − ρ_i) ∇W, then Σ V (x_j − x_i) ⊗ ∇W, row by row.
+template <int Dim>
+Sums<Dim + Dim * Dim> density_gradient_sums(const Particles<Dim>& p) {
+    return sum_all<Dim + Dim * Dim>(p, p, [&](std::size_t i, std::size_t j, const PairOf<Dim>& ij) {
+        Vec<Dim + Dim * Dim> t;
+        for (int c = 0; c < Dim; ++c) {
+            const double v_grad = p.mass[j] / p.density[j] * ij.grad[c];
+            t[c] = v_grad * (p.density[j] - p.density[i]);
+            for (int r = 0; r < Dim; ++r) t[Dim + r * Dim + c] = v_grad * (p.position[j][r] - p.position[i][r]);
+        }
+        return t;
     });
 }
 
