@@ -21,7 +21,7 @@ inline constexpr double cell_size = (Dim == 2 ? 8 : 4) * spacing;
 /// Particles of one kind, in the order of their clusters.
 template <int Dim>
 struct Medium {
-    VectorField<Dim> position, velocity, area_normal, shared_force;
+    VectorField<Dim> position, velocity, area_normal, shared_force, density_gradient;
     ScalarField h, mass, volume, density, pressure, pressure_over_rho2;
     SymTensorField<Dim> stress, artificial;
     ClusterGrid<Dim> grid;
@@ -39,6 +39,7 @@ struct Medium {
             for (double& v : column) v = speed(random);
         area_normal.resize(n);
         shared_force.resize(n);
+        density_gradient.resize(n);
         stress.resize(n);
         artificial.resize(n);
         volume.assign(n, std::pow(spacing, Dim));
@@ -65,6 +66,7 @@ struct Medium {
         v.artificial_stress = columns_of(artificial);
         v.area_normal = columns_of(area_normal);
         v.shared_force = columns_of(shared_force);
+        v.density_gradient = columns_of(density_gradient);
         return v;
     }
 };

@@ -2,6 +2,8 @@
 // Rates are per second of process CPU time: with two threads, per core.
 #include "bench/pass_benchmark.hpp"
 #include "bench/suite.hpp"
+#include "kernels/density_loops.hpp"
+#include "kernels/density_passes.hpp"
 #include "kernels/fluid_loops.hpp"
 #include "kernels/fluid_passes.hpp"
 #include "kernels/interface_loops.hpp"
@@ -15,6 +17,8 @@ namespace {
 
 // Constants of the elastic gate.
 constexpr FluidTerms fluid_terms{1, 30};
+constexpr FluidTerms laminar_terms{0, 0, Viscosity::monaghan_gingold, 1e-6},
+    morris_terms{0, 0, Viscosity::morris, 1e-6};
 constexpr SolidTerms solid_terms{1, 134.8, 0.3, 4, 1.5};
 constexpr double filter_theta = 0.92;
 
@@ -26,25 +30,55 @@ Rows<Cube<Dim>> fluid_rows() {
     using S = Cube<Dim>;
     using Out = Output<Dim>;
     const Roles<S> all{&S::medium, &S::medium, &S::list};
-    return {pass_row<FluidRates<Dim>>("fluid_rates", all, Dim + 1,
+    return {
+        pass_row<FluidRates<Dim>>("fluid_rates", all, Dim + 1,
+                                  [](const S& s, Precision p, Out& out) {
+                                      fluid_rates<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors,
+                                                       out.scalars);
+                                  }),
+        pass_row<ViscousMomentum<Dim>>("fluid_momentum", all, Dim,
+                                       [](const S& s, Precision p, Out& out) {
+                                           fluid_momentum<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors);
+                                       }),
+        pass_row<ViscousMomentum<Dim>>("laminar_momentum", all, Dim,
+                                       [](const S& s, Precision p, Out& out) {
+                                           fluid_momentum<Dim>(s.medium.view(), s.list, laminar_terms, p, out.vectors);
+                                       }),
+        pass_row<MorrisMomentum<Dim>>("morris_momentum", all, Dim,
                                       [](const S& s, Precision p, Out& out) {
-                                          fluid_rates<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors,
-                                                           out.scalars);
+                                          fluid_momentum<Dim>(s.medium.view(), s.list, morris_terms, p, out.vectors);
                                       }),
-            pass_row<ViscousMomentum<Dim>>("fluid_momentum", all, Dim,
-                                           [](const S& s, Precision p, Out& out) {
-                                               fluid_momentum<Dim>(s.medium.view(), s.list, fluid_terms, p,
-                                                                   out.vectors);
-                                           }),
-            pass_row<InviscidMomentum<Dim>>("inviscid_momentum", all, Dim,
-                                            [](const S& s, Precision p, Out& out) {
-                                                fluid_momentum<Dim>(s.medium.view(), s.list, {}, p, out.vectors);
-                                            }),
-            pass_row<DensityRate<Dim>>(
-                "continuity", all, 1,
-                [](const S& s, Precision p, Out& out) { continuity<Dim>(s.medium.view(), s.list, p, out.scalars); }),
-            pass_row<FilterSums<Dim>>("velocity_filter", all, Dim, [](const S& s, Precision p, Out& out) {
-                velocity_filter<Dim>(s.medium.view(), s.list, filter_theta, p, out.vectors);
+        pass_row<InviscidMomentum<Dim>>("inviscid_momentum", all, Dim,
+                                        [](const S& s, Precision p, Out& out) {
+                                            fluid_momentum<Dim>(s.medium.view(), s.list, {}, p, out.vectors);
+                                        }),
+        pass_row<DensityRate<Dim>>(
+            "continuity", all, 1,
+            [](const S& s, Precision p, Out& out) { continuity<Dim>(s.medium.view(), s.list, p, out.scalars); }),
+        pass_row<FilterSums<Dim>>("velocity_filter", all, Dim, [](const S& s, Precision p, Out& out) {
+            velocity_filter<Dim>(s.medium.view(), s.list, filter_theta, p, out.vectors);
+        })};
+}
+
+template <int Dim>
+Rows<Cube<Dim>> density_rows() {
+    using S = Cube<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> all{&S::medium, &S::medium, &S::list};
+    return {pass_row<DiffusiveDensityRate<Dim, StratifiedDiffusion<Dim>>>(
+                "diffusive_continuity", all, 1,
+                [](const S& s, Precision p, Out& out) {
+                    diffusive_continuity<Dim>(s.medium.view(), s.list, {DensityDiffusion::fourtakas, 30, 0.1, 1000, {}},
+                                              p, out.scalars);
+                }),
+            pass_row<DiffusiveDensityRate<Dim, GradientDiffusion>>(
+                "antuono_continuity", all, 1,
+                [](const S& s, Precision p, Out& out) {
+                    diffusive_continuity<Dim>(s.medium.view(), s.list, {DensityDiffusion::antuono, 30, 0.1, 1000, {}},
+                                              p, out.scalars);
+                }),
+            pass_row<DensityGradientSums<Dim>>("density_gradient", all, Dim, [](const S& s, Precision p, Out& out) {
+                density_gradient<Dim>(s.medium.view(), s.list, p, out.vectors);
             })};
 }
 
@@ -131,12 +165,14 @@ const std::vector<Precision> both{Precision::mixed, Precision::full};
 template <int Dim>
 void register_dimension() {
     const auto fluid = fluid_rows<Dim>();
+    const auto density = density_rows<Dim>();
     const auto solid = solid_rows<Dim>();
     const auto wall = wall_rows<Dim>();
     const auto interface = interface_rows<Dim>();
     for (const int h : {120, 150})
         for (const std::size_t n : {10'000U, 100'000U}) {
             register_rows(fluid, both, h, n);
+            register_rows(density, both, h, n);
             register_rows(solid, both, h, n);
             register_rows(wall, both, h, n);
             register_rows(interface, {Precision::full}, h, n);  // they know no other

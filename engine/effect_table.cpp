@@ -66,7 +66,38 @@ const std::array<EffectRow, effect_count> table{{
      [](const Scene&, const SceneContent& c) { return needs_fluid(c); }},
     {{Effect::artificial_viscosity, "artificial_viscosity", "fluid: artificial viscosity", "Antoci2007 eq. 12", ""},
      [](const Scene& s, const SceneContent& c) {
+         if (c.fluid && c.viscous) return Decision{Verdict::impossible, "the fluid has a viscosity of its own"};
          return by_constant(needs_fluid(c), "alpha", s.method.fluid.artificial_viscosity, 0);
+     }},
+    {{Effect::laminar_viscosity, "laminar_viscosity", "fluid: viscosity", "Morris1997 eq. 22; Monaghan2005 sect. 8.3",
+      ""},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.fluid) return needs_fluid(c);
+         if (!c.viscous) return Decision{Verdict::impossible, "viscosity = 0"};
+         return Decision{Verdict::used, s.method.fluid.viscous_form == Viscosity::morris
+                                            ? "the fluid's viscosity, in the form of Morris et al."
+                                            : "the fluid's viscosity, in the form of Monaghan and Gingold"};
+     }},
+    {{Effect::density_diffusion, "density_diffusion", "fluid: density diffusion",
+      "Molteni2009; Fourtakas2019; Antuono2010", ""},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.fluid) return needs_fluid(c);
+         constexpr const char* names[] = {"none", "Molteni and Colagrossi", "Fourtakas et al.", "Antuono et al."};
+         const DensityDiffusion kind = s.method.fluid.density_diffusion;
+         if (kind == DensityDiffusion::none)
+             return Decision{Verdict::impossible, "method.fluid.density_diffusion = none"};
+         return Decision{Verdict::used, fmt::format("{}, delta = {}", names[static_cast<std::size_t>(kind)],
+                                                    s.method.fluid.diffusion_coefficient)};
+     }},
+    {{Effect::density_gradient, "density_gradient", "fluid: consistent density gradient", "Antuono2010",
+      "fluid.density_gradient"},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.fluid) return needs_fluid(c);
+         const auto asked = s.switches.find("density_diffusion");
+         const bool off = asked != s.switches.end() && asked->second == Switch::off;
+         if (s.method.fluid.density_diffusion != DensityDiffusion::antuono || off)
+             return Decision{Verdict::impossible, "no density diffusion by Antuono et al."};
+         return Decision{Verdict::required, "density diffusion by Antuono et al."};
      }},
     {{Effect::velocity_filter, "velocity_filter", "fluid: velocity filter", "Antoci2007 eq. 16",
       "fluid.velocity_correction"},
@@ -173,6 +204,7 @@ SceneContent content_of(const Scene& scene) {
     for (const Body& body : scene.bodies) {
         const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
         (is_fluid ? c.fluid : c.solid) = true;
+        if (is_fluid && scene.materials[body.material].viscosity > 0) c.viscous = true;
         if (!is_fluid)
             (scene.materials[body.material].model == SolidModel::hypoelastic ? c.hypoelastic : c.total_lagrangian) =
                 true;

@@ -14,6 +14,9 @@ namespace sluice {
 enum class Effect {
     fluid_pressure,
     artificial_viscosity,
+    laminar_viscosity,
+    density_diffusion,
+    density_gradient,
     velocity_filter,
     solid_stress,
     total_lagrangian,
@@ -34,7 +37,7 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 21;
+inline constexpr std::size_t effect_count = 24;
 
 /// One row of the table.
 struct EffectInfo {

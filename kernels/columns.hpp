@@ -25,6 +25,7 @@ struct ParticleView {
     Columns<sym_components<Dim>> artificial_stress{};  ///< R of eq. (14)
     Columns<Dim> area_normal{};                        ///< n ΔΓ of interface elements [m²; m in 2D]
     Columns<Dim> shared_force{};                       ///< f/ΣVW of interface elements [N/m^Dim]
+    Columns<Dim> density_gradient{};                   ///< ⟨∇ρ⟩ [kg/m⁴]
     Columns<Dim> acceleration{};                       ///< of boundary particles [m/s²]
 
     // Of elastic particles whose `position` is that of the reference configuration
@@ -58,7 +59,8 @@ namespace column {
 inline constexpr unsigned velocity = 1, mass = 2, volume = 4, density = 8, pressure = 16, pressure_over_rho2 = 32,
                           stress_over_rho2 = 64, artificial_stress = 128, area_normal = 256, shared_force = 512,
                           current_position = 1U << 10, deformation = 1U << 11, corrected_stress = 1U << 12,
-                          hourglass_stiffness = 1U << 13, acceleration = 1U << 15, all = (1U << 16) - 1;
+                          hourglass_stiffness = 1U << 13, density_gradient = 1U << 14, acceleration = 1U << 15,
+                          all = (1U << 16) - 1;
 }
 
 /// Where the gathered columns stand: position, smoothing length, then those of `Reads` in the order of their bits.
@@ -66,7 +68,7 @@ template <int Dim, unsigned Reads>
 struct Slots {
     static constexpr int width(unsigned c) {
         constexpr unsigned vectors = column::velocity | column::area_normal | column::shared_force |
-                                     column::current_position | column::acceleration;
+                                     column::current_position | column::acceleration | column::density_gradient;
         if (c & vectors) return Dim;
         if (c & (column::deformation | column::corrected_stress)) return Dim * Dim;
         return c & (column::stress_over_rho2 | column::artificial_stress) ? sym_components<Dim> : 1;
@@ -107,6 +109,7 @@ struct Slots {
         if (Reads & column::deformation) put(of(column::deformation), view.deformation);
         if (Reads & column::corrected_stress) put(of(column::corrected_stress), view.corrected_stress);
         put_one(column::hourglass_stiffness, view.hourglass_stiffness);
+        if (Reads & column::density_gradient) put(of(column::density_gradient), view.density_gradient);
         return p;
     }
 };

@@ -8,6 +8,7 @@ namespace sluice::SLUICE_ISA {
 #define SLUICE_INSTANTIATE(Dim, Number)                    \
     SLUICE_INSTANTIATE_PASS(Number, InviscidMomentum<Dim>) \
     SLUICE_INSTANTIATE_PASS(Number, ViscousMomentum<Dim>)  \
+    SLUICE_INSTANTIATE_PASS(Number, MorrisMomentum<Dim>)   \
     SLUICE_INSTANTIATE_PASS(Number, DensityRate<Dim>)      \
     SLUICE_INSTANTIATE_PASS(Number, FilterSums<Dim>)       \
     SLUICE_INSTANTIATE_PASS(Number, FluidRates<Dim>)

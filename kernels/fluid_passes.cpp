@@ -3,16 +3,34 @@
 #include <algorithm>
 
 #include "kernels/fluid_loops.hpp"
+#include "kernels/terms/artificial_viscosity.hpp"
 
 namespace sluice {
+namespace {
+
+/// Of the two kinds that act along the line between particles; zero for the others.
+template <int Dim>
+CentralViscosity central_viscosity(const FluidTerms& terms) {
+    if (terms.viscosity == Viscosity::artificial)
+        return ArtificialViscosity{terms.artificial_viscosity, terms.sound_speed}.central();
+    if (terms.viscosity == Viscosity::monaghan_gingold)
+        return monaghan_gingold_viscosity<Dim>(terms.kinematic_viscosity);
+    return {};
+}
+
+}  // namespace
 
 template <int Dim>
 std::uint64_t fluid_momentum(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
                              const PairMethod<Dim>& method, VectorField<Dim>& acceleration) {
-    if (terms.artificial_viscosity == 0)
-        return add_vectors(InviscidMomentum<Dim>{}, method, fluid, fluid, list, acceleration);
-    const ViscousMomentum<Dim> viscous{{}, {terms.artificial_viscosity, terms.sound_speed}};
-    return add_vectors(viscous, method, fluid, fluid, list, acceleration);
+    const auto add = [&](const auto& momentum) {
+        return add_vectors(momentum, method, fluid, fluid, list, acceleration);
+    };
+    const CentralViscosity central = central_viscosity<Dim>(terms);
+    if (central.per_length != 0 || central.constant != 0) return add(ViscousMomentum<Dim>{{}, central});
+    if (terms.viscosity == Viscosity::morris && terms.kinematic_viscosity != 0)
+        return add(MorrisMomentum<Dim>{{terms.kinematic_viscosity}});
+    return add(InviscidMomentum<Dim>{});
 }
 
 template <int Dim>
@@ -24,7 +42,11 @@ std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList&
 template <int Dim>
 std::uint64_t fluid_rates(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
                           const PairMethod<Dim>& method, VectorField<Dim>& acceleration, ScalarField& density_rate) {
-    const FluidRates<Dim> rates{{{}, {terms.artificial_viscosity, terms.sound_speed}}};
+    if (terms.viscosity == Viscosity::morris) {
+        fluid_momentum(fluid, list, terms, method, acceleration);
+        return continuity(fluid, list, method, density_rate);
+    }
+    const FluidRates<Dim> rates{{{}, central_viscosity<Dim>(terms)}};
     return sum_pairs(rates, method, fluid, fluid, list, [&](Index i, const Vec<Dim + 1>& sum) {
         Vec<Dim> a;
         for (int k = 0; k < Dim; ++k) a[k] = sum[k];

@@ -7,10 +7,15 @@
 
 namespace sluice {
 
-/// Constants of the fluid's terms. α = 0 takes the viscous term out of the loop.
+/// Artificial, or one of the laminar ones of kernels/terms/laminar_viscosity.hpp.
+enum class Viscosity { none, artificial, morris, monaghan_gingold };
+
+/// Constants of the fluid's terms. A viscosity of zero takes the viscous term out of the momentum loop.
 struct FluidTerms {
     double artificial_viscosity = 0;  ///< α
     double sound_speed = 0;           ///< c0 [m/s]
+    Viscosity viscosity = Viscosity::artificial;
+    double kinematic_viscosity = 0;  ///< ν of the laminar ones [m²/s]
 };
 
 /// acceleration += eq. (10) without gravity.
@@ -23,7 +28,7 @@ template <int Dim>
 std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, const PairMethod<Dim>& method,
                          ScalarField& density_rate);
 
-/// Both of the above in one loop, for schemes that take both at the same instant.
+/// Both of the above, for schemes that take both at the same instant: in one loop, but for Morris's viscosity.
 template <int Dim>
 std::uint64_t fluid_rates(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
                           const PairMethod<Dim>& method, VectorField<Dim>& acceleration, ScalarField& density_rate);

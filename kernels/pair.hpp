@@ -103,6 +103,8 @@ struct Pair {
     SLUICE_GETTER FullTensor corrected_stress_j() const { return side_j.template tuple<column::corrected_stress>(); }
     SLUICE_GETTER Real hourglass_stiffness_i() const { return side_i.template scalar<column::hourglass_stiffness>(); }
     SLUICE_GETTER Real hourglass_stiffness_j() const { return side_j.template scalar<column::hourglass_stiffness>(); }
+    SLUICE_GETTER Vector density_gradient_i() const { return side_i.template tuple<column::density_gradient>(); }
+    SLUICE_GETTER Vector density_gradient_j() const { return side_j.template tuple<column::density_gradient>(); }
 #undef SLUICE_GETTER
 };
 

@@ -27,7 +27,6 @@ template <int Dim>
 std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, const PairMethod<Dim>& method,
                           ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient) {
     using Sums = SolidRateSums<Dim>;
-    constexpr double smallest_determinant = 1e-3;
     return sum_pairs(Sums{}, method, solid, solid, list, [&](Index i, const Vec<Sums::outputs>& sum) {
         density_rate[i] += sum[0];
         Tensor<Dim> g, m;
@@ -36,7 +35,7 @@ std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& li
             m(k / Dim, k % Dim) = sum[Sums::M + k];
         }
         Tensor<Dim> l = Tensor<Dim>::Zero();
-        if (m.determinant() > smallest_determinant) l = g * m.inverse();
+        if (m.determinant() > smallest_moment) l = g * m.inverse();
         Vec<Dim * Dim> packed;
         for (int k = 0; k < Dim * Dim; ++k) packed[k] = l(k / Dim, k % Dim);
         velocity_gradient.set(i, packed);

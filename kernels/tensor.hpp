@@ -11,6 +11,10 @@ namespace sluice {
 template <int Dim>
 using Tensor = Eigen::Matrix<double, Dim, Dim>;
 
+/// A particle with det Σ_j V_j (x_j − x_i) ⊗ ∇W below this has too few neighbours to define a gradient; a full support
+/// has 1.
+inline constexpr double smallest_moment = 1e-3;
+
 template <int Dim>
 Tensor<Dim> sym_to_tensor(const Vec<sym_components<Dim>>& s) {
     Tensor<Dim> t;

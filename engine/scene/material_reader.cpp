@@ -40,9 +40,12 @@ Material read_material(TomlTable& table, const std::string& name) {
     material.name = name;
     material.kind = table.get("kind").choice({"fluid", "solid"}) == 0 ? MaterialKind::fluid : MaterialKind::solid;
     material.density = table.get("density").number(positive);
-    if (material.kind == MaterialKind::fluid)
+    if (material.kind == MaterialKind::fluid) {
         material.sound_speed = table.get("sound_speed").number(positive);
-    else {
+        if (const auto v = table.get("viscosity")) material.viscosity = v.number(not_negative);
+        if (const auto v = table.get("equation_of_state"))
+            material.pressure_exponent = v.choice({"linear", "tait"}) == 0 ? 1 : 7;  // water's exponent
+    } else {
         material.model =
             table.scene().method.preset == Preset::paper ? SolidModel::hypoelastic : SolidModel::saint_venant_kirchhoff;
         if (const auto v = table.get("model"))

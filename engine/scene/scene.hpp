@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "engine/geometry/shape.hpp"
+#include "kernels/density_passes.hpp"
+#include "kernels/fluid_passes.hpp"
 #include "kernels/smoothing.hpp"
 
 namespace sluice {
@@ -32,6 +34,8 @@ struct Material {
     double sound_speed = 0;    ///< c0 [m/s]: given for a fluid; sqrt(K/ρ0) for a solid
     double shear_modulus = 0;  ///< μ [Pa], 0 for a fluid
     SolidModel model = SolidModel::hypoelastic;
+    double viscosity = 0;          ///< dynamic, of a fluid [Pa s]
+    double pressure_exponent = 1;  ///< γ of a fluid's equation of state: 1 = linear
 
     /// K = ρ0 c0² [Pa]
     double bulk_modulus() const { return density * sound_speed * sound_speed; }
@@ -84,11 +88,14 @@ struct Probe {
 
 /// Method constants of one medium. A value of 0 (or θ = 1) takes the term out of the loops.
 struct MediumMethod {
-    double velocity_filter = 1;          ///< θ of eq. (16); 1 = off
-    double artificial_viscosity = 0;     ///< α of eq. (12)
-    double artificial_stress = 0;        ///< e of eq. (14)
-    int artificial_stress_exponent = 4;  ///< q of eq. (11)
-    double hourglass_control = 0.1;      ///< ζ of kernels/total_lagrangian_passes.hpp, in units of Young's modulus
+    double velocity_filter = 1;  ///< θ of eq. (16); 1 = off
+    DensityDiffusion density_diffusion = DensityDiffusion::none;
+    double diffusion_coefficient = 0.1;          ///< δ
+    Viscosity viscous_form = Viscosity::morris;  ///< of a viscous fluid
+    double artificial_viscosity = 0;             ///< α of eq. (12)
+    double artificial_stress = 0;                ///< e of eq. (14)
+    int artificial_stress_exponent = 4;          ///< q of eq. (11)
+    double hourglass_control = 0.1;  ///< ζ of kernels/total_lagrangian_passes.hpp, in units of Young's modulus
 };
 
 enum class Preset { paper, modern };

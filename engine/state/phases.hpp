@@ -29,6 +29,7 @@ template <int Dim>
 struct FluidPhase : PhaseBase<Dim> {
     ScalarField pressure_over_rho2;        ///< p/ρ² [Pa m⁶/kg²]
     VectorField<Dim> velocity_correction;  ///< velocity filter: what eq. (16) adds [m/s]
+    VectorField<Dim> density_gradient;     ///< ⟨∇ρ⟩ of Antuono's density diffusion [kg/m⁴]
 };
 
 /// A solid's particles. Those of the hypoelastic model and those of the total-Lagrangian one have some columns each.

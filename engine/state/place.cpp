@@ -21,9 +21,10 @@ Medium medium_of(const Material& m) {
     const ElasticLaw law =
         m.model == SolidModel::neo_hookean ? ElasticLaw::neo_hookean : ElasticLaw::saint_venant_kirchhoff;
     return {m.name,
-            {m.density, m.sound_speed},
+            {m.density, m.sound_speed, m.pressure_exponent},
             m.shear_modulus,
-            {law, m.bulk_modulus() - 2.0 / 3 * m.shear_modulus, m.shear_modulus}};
+            {law, m.bulk_modulus() - 2.0 / 3 * m.shear_modulus, m.shear_modulus},
+            m.viscosity / m.density};
 }
 
 /// Remembers the one material of a medium; a second one is refused, because pairs across materials are not defined.

@@ -20,6 +20,7 @@ struct Medium {
     LinearEquationOfState eos;
     double shear_modulus = 0;  ///< μ [Pa]
     Hyperelastic law;          ///< of a total-Lagrangian solid
+    double viscosity = 0;      ///< ν of a fluid, kinematic [m²/s]
 };
 
 template <int Dim>

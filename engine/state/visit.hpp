@@ -32,6 +32,7 @@ void visit_columns(FluidPhase<Dim>& p, F&& f) {
     detail::visit_base(p, f);
     f("pressure_over_rho2", p.pressure_over_rho2);
     detail::visit_tuple("velocity_correction", p.velocity_correction, f);
+    detail::visit_tuple("density_gradient", p.density_gradient, f);
 }
 
 template <int Dim, class F>

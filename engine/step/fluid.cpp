@@ -13,7 +13,16 @@ template <int Dim>
 FluidPart<Dim>::FluidPart(StepContext<Dim>& context) : c_(context) {
     auto& state = c_.state;
     if (!state.water) return;
-    terms_ = {c_.scene.method.fluid.artificial_viscosity, state.water->eos.sound_speed};
+    const MediumMethod& m = c_.scene.method.fluid;
+    const EquationOfState& eos = state.water->eos;
+    terms_.sound_speed = eos.sound_speed;
+    if (c_.has(Effect::artificial_viscosity)) terms_.artificial_viscosity = m.artificial_viscosity;
+    if (c_.has(Effect::laminar_viscosity)) {
+        terms_.viscosity = m.viscous_form;
+        terms_.kinematic_viscosity = state.water->viscosity;
+    }
+    if (c_.has(Effect::density_diffusion))
+        diffusion_ = {m.density_diffusion, eos.sound_speed, m.diffusion_coefficient, eos.density, state.gravity};
     max_speed_ = speed_ = highest_speed(state.fluid);
     update_fluid_pressure(state);
     c_.neighbors.refresh_fluid_scalars();
@@ -77,7 +86,17 @@ void FluidPart<Dim>::rates() {
     const auto scope = c_.timer.measure(StepPhase::density_pass);
     auto& fluid = c_.state.fluid;
     std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
-    c_.pairs += continuity<Dim>(view_of(fluid), c_.neighbors.fluid_fluid, c_.method, fluid.density_rate);
+    const NeighborList& list = c_.neighbors.fluid_fluid;
+    if (!c_.has(Effect::density_diffusion)) {
+        c_.pairs += continuity<Dim>(view_of(fluid), list, c_.method, fluid.density_rate);
+        return;
+    }
+    if (c_.has(Effect::density_gradient)) {
+        c_.pairs += density_gradient<Dim>(view_of(fluid), list, c_.method, fluid.density_gradient);
+        c_.neighbors.refresh_fluid_gradients();
+    }
+    diffusion_.gravity = c_.state.gravity;
+    c_.pairs += diffusive_continuity<Dim>(view_of(fluid), list, diffusion_, c_.method, fluid.density_rate);
 }
 
 template <int Dim>

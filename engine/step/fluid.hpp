@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/step/context.hpp"
+#include "kernels/density_passes.hpp"
 #include "kernels/fluid_passes.hpp"
 
 namespace sluice {
@@ -19,7 +20,7 @@ class FluidPart {
     void filter();
     /// x += v Δt/2, with the filter's correction of the velocity first, in one go through memory.
     void drift_halfway();
-    /// dρ/dt of eq. (8) among the fluid.
+    /// dρ/dt of eq. (8) among the fluid, and density diffusion.
     void rates();
     /// x += v Δt/2, ρ += dρ/dt Δt, then the pressure. Returns how far particles have moved in the step. [m]
     double finish();
@@ -31,6 +32,7 @@ class FluidPart {
   private:
     StepContext<Dim>& c_;
     FluidTerms terms_;
+    DiffusionTerms<Dim> diffusion_;
     double max_speed_ = 0, speed_ = 0, acceleration_ = 0;
 };
 

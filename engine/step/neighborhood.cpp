@@ -141,6 +141,7 @@ void Neighborhood<Dim>::make_fluid_images() {
          {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
         fluid_images_.extend(*column, fluid.owned);
     fluid.velocity.resize(n);
+    if (effects_.has(Effect::density_gradient)) fluid.density_gradient.resize(n);
     refresh_fluid_positions();
     refresh_fluid_velocities();
 }
@@ -334,6 +335,11 @@ template <int Dim>
 void Neighborhood<Dim>::refresh_fluid_scalars() {
     for (ScalarField* column : {&state_.fluid.density, &state_.fluid.pressure, &state_.fluid.pressure_over_rho2})
         fluid_images_.refresh(*column, state_.fluid.owned);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::refresh_fluid_gradients() {
+    fluid_images_.refresh_directions(state_.fluid.density_gradient, state_.fluid.owned);
 }
 
 template <int Dim>

@@ -34,6 +34,7 @@ class Neighborhood {
     void refresh_fluid_positions();
     void refresh_fluid_velocities();
     void refresh_fluid_scalars();
+    void refresh_fluid_gradients();
     void refresh_elements();
     void refresh_boundary();
     void refresh_wall_pressure();

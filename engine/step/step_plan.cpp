@@ -13,7 +13,9 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>
     std::vector<CourantLimit> limits;
     const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium, double sound_speed) {
         const double h = *std::min_element(phase.smoothing_length.begin(), phase.smoothing_length.end());
-        limits.push_back({medium->name, scene.method.courant * h / sound_speed, h, sound_speed});
+        const double nu = medium->viscosity;
+        const double dt = scene.method.courant * h / sound_speed;
+        limits.push_back({medium->name, nu > 0 ? std::min(dt, 0.125 * h * h / nu) : dt, h, sound_speed, nu});
     };
     if (state.water) add(state.fluid, state.water, state.water->eos.sound_speed);
     if (!state.rubber) return limits;

@@ -17,6 +17,7 @@ struct CourantLimit {
     double dt = 0;           ///< courant · h / c0 [s]
     double h = 0;            ///< the medium's smallest smoothing length [m]
     double sound_speed = 0;  ///< c0 [m/s]
+    double viscosity = 0;    ///< ν [m²/s]
 };
 
 /// Those of the media present, the fluid's first, each with its smallest h.
@@ -34,6 +35,8 @@ struct StepPlan {
 ///
 /// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
 /// limit asks for. A step that the scene sets is taken as it is, and cut likewise.
+///
+/// A viscous fluid allows no more than ⅛ h²/ν [Morris, Fox & Zhu 1997].
 ///
 /// Adaptive: the fluid's limit is courant · h/(c0 + |v|) and ¼ √(h/|a|) [Monaghan 1992], the smaller, from the highest
 /// speed and acceleration of the last step; from one step to the next it grows by a tenth at the most.

@@ -22,6 +22,7 @@ template <int Dim>
 ParticleView<Dim> view_of(const FluidPhase<Dim>& p) {
     ParticleView<Dim> v = base_view(p);
     v.pressure_over_rho2 = p.pressure_over_rho2.data();
+    v.density_gradient = columns_of(p.density_gradient);
     return v;
 }
 

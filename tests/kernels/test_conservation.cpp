@@ -36,17 +36,22 @@ double angular_defect(const Particles<Dim>& p, const VectorField<Dim>& a, int j,
 /// 1e-13 and 1e-5 for the closest pairs, less in the mean over thousands of pairs.
 constexpr double pair_rounding(Precision precision) { return precision == Precision::full ? 1e-12 : 1e-5; }
 
+/// The fluid without viscosity, and with each kind that acts along the line between two particles.
+constexpr FluidTerms central_terms[] = {{}, {0.5, 30}, {0, 0, Viscosity::monaghan_gingold, 0.3}};
+constexpr FluidTerms all_terms[] = {
+    {}, {0.5, 30}, {0, 0, Viscosity::monaghan_gingold, 0.3}, {0, 0, Viscosity::morris, 0.3}};
+
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("every pair term of the fluid keeps momentum", "[conservation]", ((int Dim), Dim), 2, 3) {
     in_all_scenes<Dim>(2, [](const auto& p, const NeighborList& list) {
         in_all_variants([&](Precision precision) {
-            for (const double alpha : {0.0, 0.5}) {
+            for (const FluidTerms& terms : all_terms) {
                 auto a = zeros<Dim>(p.size()), fused = zeros<Dim>(p.size());
                 ScalarField rate(p.size(), 0.0);
-                fluid_momentum<Dim>(p.view(), list, {alpha, 30}, precision, a);
-                fluid_rates<Dim>(p.view(), list, {alpha, 30}, precision, fused, rate);
-                CAPTURE(alpha);
+                fluid_momentum<Dim>(p.view(), list, terms, precision, a);
+                fluid_rates<Dim>(p.view(), list, terms, precision, fused, rate);
+                CAPTURE(static_cast<int>(terms.viscosity));
                 CHECK(momentum_defect<Dim>(p, a) < pair_rounding(precision));
                 CHECK(momentum_defect<Dim>(p, fused) < pair_rounding(precision));
             }
@@ -72,10 +77,10 @@ TEMPLATE_TEST_CASE_SIG("pressure and viscosity act along the line between two pa
                        "[conservation]", ((int Dim), Dim), 2, 3) {
     in_all_scenes<Dim>(4, [](const auto& p, const NeighborList& list) {
         in_all_variants([&](Precision precision) {
-            for (const double alpha : {0.0, 0.5}) {
+            for (const FluidTerms& terms : central_terms) {
                 auto a = zeros<Dim>(p.size());
-                fluid_momentum<Dim>(p.view(), list, {alpha, 30}, precision, a);
-                CAPTURE(alpha);
+                fluid_momentum<Dim>(p.view(), list, terms, precision, a);
+                CAPTURE(static_cast<int>(terms.viscosity));
                 for (int j = 0; j < Dim; ++j)
                     for (int k = j + 1; k < Dim; ++k) CHECK(angular_defect<Dim>(p, a, j, k) < pair_rounding(precision));
             }
