@@ -12,6 +12,7 @@
 #include "bench/roofline.hpp"
 #include "bench/traffic.hpp"
 #include "kernels/interface_passes.hpp"
+#include "kernels/shift_passes.hpp"
 
 namespace sluice::bench {
 
@@ -22,10 +23,12 @@ struct Output {
     ScalarField scalars;
     TupleField<Dim * Dim> tensors;
     BlockTotals<Dim> totals;
+    ShiftFields<Dim> shift;
 
     explicit Output(std::size_t n) : scalars(n) {
         vectors.resize(n);
         tensors.resize(n);
+        shift.reset(n);
     }
 };
 

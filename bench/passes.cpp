@@ -7,6 +7,8 @@
 #include "kernels/fluid_loops.hpp"
 #include "kernels/fluid_passes.hpp"
 #include "kernels/interface_loops.hpp"
+#include "kernels/shift_loops.hpp"
+#include "kernels/shift_passes.hpp"
 #include "kernels/solid_loops.hpp"
 #include "kernels/solid_passes.hpp"
 #include "kernels/wall_loops.hpp"
@@ -21,6 +23,7 @@ constexpr FluidTerms laminar_terms{0, 0, Viscosity::monaghan_gingold, 1e-6},
     morris_terms{0, 0, Viscosity::morris, 1e-6};
 constexpr SolidTerms solid_terms{1, 134.8, 0.3, 4, 1.5};
 constexpr double filter_theta = 0.92;
+constexpr ShiftTerms shift_terms{1.5};
 
 template <class Sample>
 using Rows = std::vector<PassRow<Sample>>;
@@ -80,6 +83,31 @@ Rows<Cube<Dim>> density_rows() {
             pass_row<DensityGradientSums<Dim>>("density_gradient", all, Dim, [](const S& s, Precision p, Out& out) {
                 density_gradient<Dim>(s.medium.view(), s.list, p, out.vectors);
             })};
+}
+
+template <int Dim>
+Rows<Cube<Dim>> shift_rows() {
+    using S = Cube<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> all{&S::medium, &S::medium, &S::list};
+    return {pass_row<FluidConcentration<Dim>>("shift_sums", all, Dim + 2,
+                                              [](const S& s, Precision p, Out& out) {
+                                                  shift_sums<Dim>(s.medium.view(), s.list, shift_terms, p, out.shift);
+                                              }),
+            pass_row<SurfaceNormal<Dim>>("surface_normals", all, Dim, [](const S& s, Precision p, Out& out) {
+                surface_normals<Dim>(s.medium.view(), s.list, p, out.shift);
+            })};
+}
+
+/// In double only, whatever is asked for.
+template <int Dim>
+Rows<Boundary<Dim>> boundary_shift_rows() {
+    using S = Boundary<Dim>;
+    const Roles<S> fluid{&S::fluid, &S::backing, &S::fluid_backing};
+    return {pass_row<BoundaryConcentration<Dim>>(
+        "boundary_shift_sums", fluid, Dim + 2, [](const S& s, Precision p, Output<Dim>& out) {
+            boundary_shift_sums<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing, shift_terms, p, out.shift);
+        })};
 }
 
 template <int Dim>
@@ -166,6 +194,8 @@ template <int Dim>
 void register_dimension() {
     const auto fluid = fluid_rows<Dim>();
     const auto density = density_rows<Dim>();
+    const auto shift = shift_rows<Dim>();
+    const auto boundary_shift = boundary_shift_rows<Dim>();
     const auto solid = solid_rows<Dim>();
     const auto wall = wall_rows<Dim>();
     const auto interface = interface_rows<Dim>();
@@ -173,9 +203,12 @@ void register_dimension() {
         for (const std::size_t n : {10'000U, 100'000U}) {
             register_rows(fluid, both, h, n);
             register_rows(density, both, h, n);
+            register_rows(shift, both, h, n);
             register_rows(solid, both, h, n);
             register_rows(wall, both, h, n);
-            register_rows(interface, {Precision::full}, h, n);  // they know no other
+            // These know no other.
+            register_rows(boundary_shift, {Precision::full}, h, n);
+            register_rows(interface, {Precision::full}, h, n);
         }
 }
 

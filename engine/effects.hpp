@@ -17,6 +17,7 @@ enum class Effect {
     laminar_viscosity,
     density_diffusion,
     density_gradient,
+    particle_shifting,
     velocity_filter,
     solid_stress,
     total_lagrangian,
@@ -37,7 +38,7 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 24;
+inline constexpr std::size_t effect_count = 25;
 
 /// One row of the table.
 struct EffectInfo {

@@ -11,6 +11,7 @@
 #include "engine/step/fluid.hpp"
 #include "engine/step/hypoelastic_solid.hpp"
 #include "engine/step/interface_coupling.hpp"
+#include "engine/step/particle_shifting.hpp"
 #include "engine/step/total_lagrangian_solid.hpp"
 #include "engine/step/walls.hpp"
 
@@ -28,6 +29,7 @@ struct Simulation<Dim>::Impl {
           context{scene, effects, state, neighbors, pair_method(), StepPlan{}},
           body_acceleration(context),
           fluid(context),
+          shifting(context),
           walls(context),
           hypoelastic(context),
           total_lagrangian(context),
@@ -61,8 +63,9 @@ struct Simulation<Dim>::Impl {
         const double solid_motion = advance_solid();
         const double wall_motion = walls.move_halfway(time);
         rates();
-        const double fluid_motion = std::max(fluid.finish(), wall_motion);
-        neighbors.add_motion(fluid_motion, solid_motion);
+        const double shift = shifting.find(steps);
+        const double fluid_motion = fluid.finish() + shift;
+        neighbors.add_motion(std::max(fluid_motion, wall_motion), solid_motion);
         ++steps;
         solid_steps += static_cast<std::uint64_t>(context.plan.substeps);
         time = planner.adaptive() ? time + dt : static_cast<double>(steps) * dt;
@@ -122,6 +125,7 @@ struct Simulation<Dim>::Impl {
     StepContext<Dim> context;
     BodyAcceleration<Dim> body_acceleration;
     FluidPart<Dim> fluid;
+    ParticleShifting<Dim> shifting;
     WallPart<Dim> walls;
     HypoelasticSolid<Dim> hypoelastic;
     TotalLagrangianSolid<Dim> total_lagrangian;

@@ -90,6 +90,7 @@ struct Probe {
 struct MediumMethod {
     double velocity_filter = 1;  ///< θ of eq. (16); 1 = off
     DensityDiffusion density_diffusion = DensityDiffusion::none;
+    double shifting = 0;                         ///< A of kernels/terms/particle_shift.hpp; 0 = off
     double diffusion_coefficient = 0.1;          ///< δ
     Viscosity viscous_form = Viscosity::morris;  ///< of a viscous fluid
     double artificial_viscosity = 0;             ///< α of eq. (12)

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "kernels/shift_passes.hpp"
 #include "neighbor/fields.hpp"
 
 namespace sluice {
@@ -30,6 +31,7 @@ struct FluidPhase : PhaseBase<Dim> {
     ScalarField pressure_over_rho2;        ///< p/ρ² [Pa m⁶/kg²]
     VectorField<Dim> velocity_correction;  ///< velocity filter: what eq. (16) adds [m/s]
     VectorField<Dim> density_gradient;     ///< ⟨∇ρ⟩ of Antuono's density diffusion [kg/m⁴]
+    ShiftFields<Dim> surroundings;         ///< what particle shifting needs to know
 };
 
 /// A solid's particles. Those of the hypoelastic model and those of the total-Lagrangian one have some columns each.

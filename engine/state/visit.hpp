@@ -33,6 +33,10 @@ void visit_columns(FluidPhase<Dim>& p, F&& f) {
     f("pressure_over_rho2", p.pressure_over_rho2);
     detail::visit_tuple("velocity_correction", p.velocity_correction, f);
     detail::visit_tuple("density_gradient", p.density_gradient, f);
+    detail::visit_tuple("concentration_gradient", p.surroundings.concentration_gradient, f);
+    detail::visit_tuple("surface_normal", p.surroundings.surface_normal, f);
+    f("position_divergence", p.surroundings.position_divergence), f("concentration", p.surroundings.concentration);
+    f("surface_volume", p.surroundings.surface_volume);
 }
 
 template <int Dim, class F>

@@ -343,6 +343,11 @@ void Neighborhood<Dim>::refresh_fluid_gradients() {
 }
 
 template <int Dim>
+void Neighborhood<Dim>::refresh_fluid_surface() {
+    fluid_images_.refresh(state_.fluid.surroundings.surface_volume, state_.fluid.owned);
+}
+
+template <int Dim>
 void Neighborhood<Dim>::refresh_elements() {
     auto& elements = state_.elements;
     element_images_.refresh_positions(elements.position, elements.owned);

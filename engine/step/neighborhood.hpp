@@ -35,6 +35,7 @@ class Neighborhood {
     void refresh_fluid_velocities();
     void refresh_fluid_scalars();
     void refresh_fluid_gradients();
+    void refresh_fluid_surface();
     void refresh_elements();
     void refresh_boundary();
     void refresh_wall_pressure();

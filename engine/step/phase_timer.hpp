@@ -12,6 +12,7 @@ enum class StepPhase {
     fluid_pass,
     filter_pass,
     density_pass,
+    shift_pass,
     solid_pass,
     gradient_pass,
     interface_pass,
@@ -19,9 +20,17 @@ enum class StepPhase {
     update,
     output
 };
-inline constexpr std::array<std::string_view, 10> step_phase_names{
-    "neighbour search",          "fluid momentum", "velocity filter",  "fluid density", "solid momentum",
-    "solid gradient and stress", "interface",      "walls and images", "update",        "output"};
+inline constexpr std::array<std::string_view, 11> step_phase_names{"neighbour search",
+                                                                   "fluid momentum",
+                                                                   "velocity filter",
+                                                                   "fluid density",
+                                                                   "particle shifting",
+                                                                   "solid momentum",
+                                                                   "solid gradient and stress",
+                                                                   "interface",
+                                                                   "walls and images",
+                                                                   "update",
+                                                                   "output"};
 
 class PhaseTimer {
   public:

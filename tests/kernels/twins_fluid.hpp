@@ -1,4 +1,4 @@
-// Plain scalar twins of the fluid's further terms: laminar viscosity, density diffusion.
+// Plain scalar twins of the fluid's further terms: laminar viscosity, density diffusion, shifting.
 #pragma once
 
 #include "tests/kernels/twins.hpp"
@@ -63,6 +63,34 @@ Sums<Dim + Dim * Dim> density_gradient_sums(const Particles<Dim>& p) {
             for (int r = 0; r < Dim; ++r) t[Dim + r * Dim + c] = v_grad * (p.position[j][r] - p.position[i][r]);
         }
         return t;
+    });
+}
+
+/// Σ V_j (1 + R (W/W(d))^4) ∇W with the volumes of `others`; h_over_d gives d from the pair's h.
+template <int Dim>
+Sums<Dim> concentration_gradient(const Particles<Dim>& p, const Particles<Dim>& others, double repulsion,
+                                 double h_over_d) {
+    return sum_all<Dim>(p, others, [&](std::size_t, std::size_t j, const PairOf<Dim>& ij) {
+        const double f = ij.w / twin::w(Dim, ij.h / h_over_d, ij.h);
+        return others.volume[j] * (1 + repulsion * std::pow(f, 4)) * ij.grad;
+    });
+}
+
+/// −Σ V_j x_ij·∇W
+template <int Dim>
+Sums<1> position_divergence(const Particles<Dim>& p, const Particles<Dim>& others) {
+    return sum_all<1>(p, others, [&](std::size_t, std::size_t j, const PairOf<Dim>& ij) {
+        double x_grad = 0;
+        for (int k = 0; k < Dim; ++k) x_grad += ij.x[k] * ij.grad[k];
+        return Vec<1>{{-others.volume[j] * x_grad}};
+    });
+}
+
+/// Σ V_j W
+template <int Dim>
+Sums<1> concentration(const Particles<Dim>& p, const Particles<Dim>& others) {
+    return sum_all<1>(p, others, [&](std::size_t, std::size_t j, const PairOf<Dim>& ij) {
+        return Vec<1>{{others.volume[j] * ij.w}};
     });
 }
 
