@@ -73,6 +73,7 @@ struct Simulation<Dim>::Impl {
         update_neighbors();
         forces();
         if (synchronous) fluid.kick(0.5 * dt);
+        if (effects.has(Effect::total_lagrangian)) total_lagrangian.push(0.5 * dt);
     }
 
     void forces() {
@@ -93,7 +94,10 @@ struct Simulation<Dim>::Impl {
     double advance_solid() {
         return guarded([&] {
             if (effects.has(Effect::solid_stress)) return hypoelastic.advance();
-            if (effects.has(Effect::total_lagrangian)) return total_lagrangian.advance();
+            if (effects.has(Effect::total_lagrangian)) {
+                total_lagrangian.push(0.5 * context.plan.dt);
+                return total_lagrangian.advance();
+            }
             return 0.0;
         });
     }

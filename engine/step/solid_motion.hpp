@@ -30,7 +30,8 @@ void end_solid_motion(StepContext<Dim>& c) {
     }
     if (!c.has(Effect::moving_boundary)) return;
     for (std::size_t i = 0; i < solid.owned; ++i)
-        solid.mean_acceleration.set(i, (1 / c.plan.dt) * (solid.velocity[i] - solid.mean_acceleration[i]));
+        solid.mean_acceleration.set(
+            i, (1 / c.plan.dt) * (solid.velocity[i] - solid.mean_acceleration[i]) + solid.interface_acceleration[i]);
 }
 
 }  // namespace sluice

@@ -42,14 +42,20 @@ template <int Dim>
 void TotalLagrangianSolid<Dim>::kick() {
     const auto scope = c_.timer.measure(StepPhase::update);
     auto& solid = c_.state.solid;
-    const bool coupled = is_coupled(c_);
     const Vec<Dim> gravity = c_.state.gravity;
     const double half = 0.5 * dt();
     parallel_for(solid.owned, [&](std::size_t i) {
-        if (solid.clamped[i]) return;
-        Vec<Dim> a = solid.acceleration[i] + gravity;
-        if (coupled) a += solid.interface_acceleration[i];
-        solid.velocity.set(i, solid.velocity[i] + half * a);
+        if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + half * (solid.acceleration[i] + gravity));
+    });
+}
+
+template <int Dim>
+void TotalLagrangianSolid<Dim>::push(double interval) {
+    if (!is_coupled(c_)) return;
+    const auto scope = c_.timer.measure(StepPhase::update);
+    auto& solid = c_.state.solid;
+    parallel_for(solid.owned, [&](std::size_t i) {
+        if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + interval * solid.interface_acceleration[i]);
     });
 }
 

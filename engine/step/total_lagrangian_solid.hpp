@@ -15,6 +15,8 @@ class TotalLagrangianSolid {
     /// energy neither grows nor fades. Returns a bound of how far particles have moved. [m]
     double advance();
 
+    /// v += the fluid's force · interval [s]
+    void push(double interval);
     /// What the hourglass control holds. [J; J/m in 2D]
     double hourglass_energy() const;
 
