@@ -15,7 +15,7 @@
 //   δx ← δx − (δx·n) n,   n = N_i/|N_i|.
 // N takes a second pass over the pairs. Without it one would fade δx out by ∇·x_i itself; but ∇C's own direction is the
 // only normal that one has then, so nothing is left to shift along the surface, and what is not faded out draws the
-// second layer to the first: in 400 steps of |v| Δt = 0.05 d by 0.03 to 0.3 d (2D, h/d = 1.3 and 1.5, faded out between
+// second layer to the first: in 400 steps of |v| Δt = 0.05 d by 0.02 to 0.3 d (2D, h/d = 1.3 and 1.5, faded out between
 // 1 and 0.75 D or 1 and 0.9 D), where with N it stays within 0.01 d.
 #pragma once
 
