@@ -78,6 +78,11 @@ const std::array<EffectRow, effect_count> table{{
                                             ? "the fluid's viscosity, in the form of Morris et al."
                                             : "the fluid's viscosity, in the form of Monaghan and Gingold"};
      }},
+    {{Effect::acoustic_damping, "acoustic_damping", "fluid: damping of sound by a bulk viscosity",
+      "Sun2023; engine/step/material_update.hpp", ""},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_fluid(c), "alpha", s.method.fluid.acoustic_damping, 0);
+     }},
     {{Effect::density_diffusion, "density_diffusion", "fluid: density diffusion",
       "Molteni2009; Fourtakas2019; Antuono2010", ""},
      [](const Scene& s, const SceneContent& c) {

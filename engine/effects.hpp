@@ -15,6 +15,7 @@ enum class Effect {
     fluid_pressure,
     artificial_viscosity,
     laminar_viscosity,
+    acoustic_damping,
     density_diffusion,
     density_gradient,
     particle_shifting,
@@ -38,7 +39,7 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 25;
+inline constexpr std::size_t effect_count = 26;
 
 /// One row of the table.
 struct EffectInfo {

@@ -28,6 +28,7 @@ Method modern_method() {
     m.multi_rate = true;
     m.fluid = {.velocity_filter = 1,
                .density_diffusion = DensityDiffusion::fourtakas,
+               .acoustic_damping = 0.5,
                .shifting = 2,
                .artificial_viscosity = 0.02};
     m.solid = {.velocity_filter = 1, .artificial_viscosity = 0};
@@ -51,6 +52,7 @@ void read_fluid(TomlTable& method, MediumMethod& fluid) {
             v.choice({"morris", "monaghan-gingold"}) == 0 ? Viscosity::morris : Viscosity::monaghan_gingold;
     read_choice(table, "density_diffusion", {"none", "molteni-colagrossi", "fourtakas", "antuono"},
                 fluid.density_diffusion);
+    if (const auto v = table.get("acoustic_damping")) fluid.acoustic_damping = v.number(not_negative);
     if (const auto v = table.get("particle_shifting")) fluid.shifting = v.number(not_negative);
     if (const auto v = table.get("diffusion_coefficient")) fluid.diffusion_coefficient = v.number(positive);
     table.finish();

@@ -17,6 +17,7 @@ FluidPart<Dim>::FluidPart(StepContext<Dim>& context) : c_(context) {
     const EquationOfState& eos = state.water->eos;
     terms_.sound_speed = eos.sound_speed;
     if (c_.has(Effect::artificial_viscosity)) terms_.artificial_viscosity = m.artificial_viscosity;
+    if (c_.has(Effect::acoustic_damping)) acoustic_damping_ = m.acoustic_damping;
     if (c_.has(Effect::laminar_viscosity)) {
         terms_.viscosity = m.viscous_form;
         terms_.kinematic_viscosity = state.water->viscosity;
@@ -102,7 +103,7 @@ void FluidPart<Dim>::rates() {
 template <int Dim>
 double FluidPart<Dim>::finish() {
     const auto scope = c_.timer.measure(StepPhase::update);
-    speed_ = finish_fluid_step(c_.state, c_.plan.dt);
+    speed_ = finish_fluid_step(c_.state, acoustic_damping_, c_.plan.dt);
     c_.neighbors.refresh_fluid_positions();
     c_.neighbors.refresh_fluid_scalars();
     max_speed_ = std::max(speed_, max_speed_);

@@ -33,6 +33,7 @@ class FluidPart {
     StepContext<Dim>& c_;
     FluidTerms terms_;
     DiffusionTerms<Dim> diffusion_;
+    double acoustic_damping_ = 0;  ///< α
     double max_speed_ = 0, speed_ = 0, acceleration_ = 0;
 };
 

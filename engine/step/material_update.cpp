@@ -8,8 +8,11 @@ namespace sluice {
 namespace {
 
 template <int Dim>
-void set_fluid_pressure(FluidPhase<Dim>& fluid, const LinearEquationOfState& eos, std::size_t i) {
-    const double rho = fluid.density[i], p = eos.pressure(rho);
+void set_fluid_pressure(FluidPhase<Dim>& fluid, const EquationOfState& eos, double acoustic_damping, std::size_t i) {
+    const double rho = fluid.density[i];
+    double p = eos.pressure(rho);
+    if (acoustic_damping != 0)
+        p += acoustic_damping * eos.sound_speed * fluid.smoothing_length[i] * fluid.density_rate[i];
     fluid.pressure[i] = p;
     fluid.pressure_over_rho2[i] = p / (rho * rho);
 }
@@ -48,7 +51,7 @@ void update_fluid_pressure(State<Dim>& state) {
     auto& fluid = state.fluid;
     if (fluid.owned == 0) return;
     const LinearEquationOfState eos = state.water->eos;
-    parallel_for(fluid.owned, [&](std::size_t i) { set_fluid_pressure(fluid, eos, i); });
+    parallel_for(fluid.owned, [&](std::size_t i) { set_fluid_pressure(fluid, eos, 0, i); });
 }
 
 template <int Dim>
@@ -60,7 +63,7 @@ void update_solid_stress(State<Dim>& state, double artificial_stress) {
 }
 
 template <int Dim>
-double finish_fluid_step(State<Dim>& state, double dt) {
+double finish_fluid_step(State<Dim>& state, double acoustic_damping, double dt) {
     auto& fluid = state.fluid;
     if (fluid.owned == 0) return 0;
     const LinearEquationOfState eos = state.water->eos;
@@ -71,7 +74,7 @@ double finish_fluid_step(State<Dim>& state, double dt) {
             fluid.position.set(i, plane.image_position(fluid.position[i]));
             fluid.velocity.set(i, plane.image_direction(fluid.velocity[i]));
         }
-        set_fluid_pressure(fluid, eos, i);
+        set_fluid_pressure(fluid, eos, acoustic_damping, i);
         return norm2(fluid.velocity[i]);
     }));
 }
@@ -90,10 +93,10 @@ double finish_solid_step(State<Dim>& state, double artificial_stress, double dt)
     }));
 }
 
-#define SLUICE_INSTANTIATE(Dim)                                  \
-    template void update_fluid_pressure<Dim>(State<Dim>&);       \
-    template void update_solid_stress<Dim>(State<Dim>&, double); \
-    template double finish_fluid_step<Dim>(State<Dim>&, double); \
+#define SLUICE_INSTANTIATE(Dim)                                          \
+    template void update_fluid_pressure<Dim>(State<Dim>&);               \
+    template void update_solid_stress<Dim>(State<Dim>&, double);         \
+    template double finish_fluid_step<Dim>(State<Dim>&, double, double); \
     template double finish_solid_step<Dim>(State<Dim>&, double, double);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
