@@ -29,7 +29,7 @@ kind = "fixed"
 shape = { difference = [{ box = { min = [-0.016, -0.016], max = [0.116, 0.132] } }, { box = { min = [0.0, 0.0], max = [0.1, 0.14] } }] }
 )toml";
 
-std::string column(double spacing, const std::string& walls) {
+std::string water_column(double spacing, const std::string& walls) {
     return "gravity = [0.0, -9.81]\n" + preamble(spacing) + R"toml(
 [bodies.water]
 material = "water"
@@ -54,7 +54,7 @@ double mean_pressure(const Simulation<2>& s, double low, double high) {
 }  // namespace
 
 TEST_CASE("Water between mirror walls stays at rest under its own pressure") {
-    Simulation<2> simulation(scene_text::load(column(0.004, mirror_floor + mirror_sides)));
+    Simulation<2> simulation(scene_text::load(water_column(0.004, mirror_floor + mirror_sides)));
     advance(simulation, 1500);  // 0.27 s: forty times the sound's way through the column
     // Without viscosity the free surface's kernel error leaves some motion; it must stay far below sqrt(gH) ≈ 1 m/s.
     REQUIRE(std::sqrt(2 * kinetic_energy_per_mass(simulation)) < 0.02);
@@ -63,7 +63,7 @@ TEST_CASE("Water between mirror walls stays at rest under its own pressure") {
 }
 
 TEST_CASE("Water in a tub of fixed ghosts stays at rest and inside") {
-    Simulation<2> simulation(scene_text::load(column(0.004, fixed_tub)));
+    Simulation<2> simulation(scene_text::load(water_column(0.004, fixed_tub)));
     advance(simulation, 1500);
     REQUIRE(std::sqrt(2 * kinetic_energy_per_mass(simulation)) < 0.05);
     REQUIRE(mean_pressure(simulation, 0.0, 0.02) == Approx(1000 * 9.81 * 0.09).epsilon(0.05));
@@ -89,7 +89,7 @@ TEST_CASE("Hydrostatic pressure loads a wall of solid particles with its resulta
     // A clamped wall 0.1 m high, water 0.1 m deep on one side, floor mirrored: F = ½ ρ g H² by statics.
     const double expected = 0.5 * 1000 * 9.81 * 0.1 * 0.1;
     for (const double spacing : {0.005, 0.0025, 0.00125}) {
-        Simulation<2> simulation(scene_text::load(column(spacing, mirror_floor + R"toml(
+        Simulation<2> simulation(scene_text::load(water_column(spacing, mirror_floor + R"toml(
 [bodies.wall]
 material = "rubber"
 shape = { box = { min = [0.1, 0.0], max = [0.11, 0.14] } }
