@@ -158,6 +158,21 @@ const std::array<EffectRow, effect_count> table{{
          return c.fluid ? Decision{Verdict::required, "walls: " + c.fixed_walls}
                         : Decision{Verdict::impossible, "no fluid body to hold"};
      }},
+    {{Effect::no_slip_wall, "no_slip_wall", "walls: no slip", "Adami2012 eqs. 22, 23; Morris1997",
+      "wall.ghost_velocity wall.friction_volume"},
+     [](const Scene&, const SceneContent& c) {
+         if (!c.no_slip) return Decision{Verdict::impossible, "no wall with condition = \"no-slip\""};
+         return c.viscous ? Decision{Verdict::used, "walls: " + c.no_slip_walls}
+                          : Decision{Verdict::impossible, "viscosity = 0"};
+     }},
+    {{Effect::no_slip_solid, "no_slip_solid", "coupling: no slip", "Adami2012 eqs. 22, 23; Morris1997",
+      "boundary.ghost_velocity"},
+     [](const Scene& s, const SceneContent& c) {
+         const Decision d = meeting(c, Coupling::moving_boundary, s.method);
+         if (d.verdict == Verdict::impossible) return d;
+         return c.viscous ? Decision{Verdict::used, "a viscous fluid sticks to solids"}
+                          : Decision{Verdict::impossible, "viscosity = 0"};
+     }},
     {{Effect::moving_wall, "moving_wall", "walls: motion by formula or table", "Adami2012 eq. 25",
       "wall.initial_position wall.velocity"},
      [](const Scene&, const SceneContent& c) {
@@ -228,6 +243,7 @@ SceneContent content_of(const Scene& scene) {
     c.many_spacings = largest > smallest * (1 + 1e-9);
     for (const Wall& wall : scene.walls) {
         (wall.kind == WallKind::mirror ? c.mirror : c.fixed) = true;
+        if (!wall.slip) c.no_slip = true, add_name(c.no_slip_walls, wall.name);
         if (wall.motion.moves()) c.moving_wall = true, add_name(c.moving_walls, wall.name);
         add_name(wall.kind == WallKind::mirror ? c.mirrors : c.fixed_walls, wall.name);
     }

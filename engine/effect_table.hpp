@@ -13,8 +13,9 @@ namespace sluice {
 struct SceneContent {
     bool fluid = false, solid = false, hypoelastic = false, total_lagrangian = false, clamp = false, mirror = false,
          fixed = false, gravity = false;
-    bool viscous = false, moving_wall = false, driven = false, many_spacings = false;
-    std::string fluids, solids, clamps, mirrors, fixed_walls, moving_walls, periodic_axes;  ///< names, for messages
+    bool no_slip = false, viscous = false, moving_wall = false, driven = false, many_spacings = false;
+    std::string fluids, solids, clamps, mirrors, fixed_walls, moving_walls, no_slip_walls,
+        periodic_axes;  ///< names, for messages
 };
 SceneContent content_of(const Scene& scene);
 

@@ -30,6 +30,8 @@ enum class Effect {
     moving_boundary,
     mirror_wall,
     fixed_wall,
+    no_slip_wall,
+    no_slip_solid,
     moving_wall,
     periodic_box,
     clamp,
@@ -39,7 +41,7 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 26;
+inline constexpr std::size_t effect_count = 28;
 
 /// One row of the table.
 struct EffectInfo {

@@ -5,10 +5,13 @@
 
 namespace sluice::SLUICE_ISA {
 
-#define SLUICE_INSTANTIATE(Dim)                            \
-    SLUICE_INSTANTIATE_PASS(double, BoundaryPressure<Dim>) \
-    SLUICE_INSTANTIATE_PASS(double, BoundaryReaction<Dim>) \
-    SLUICE_INSTANTIATE_PASS(double, BoundaryContinuity<Dim>)
+#define SLUICE_INSTANTIATE(Dim)                                        \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryPressure<Dim>)             \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryReaction<Dim>)             \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryContinuity<Dim>)           \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryFrictionPass<Dim>)         \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryFrictionReactionPass<Dim>) \
+    SLUICE_INSTANTIATE_PASS(double, BoundaryVelocitySums<Dim>)
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

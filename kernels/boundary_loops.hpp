@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernels/pair_sum.hpp"
+#include "kernels/terms/boundary_viscosity.hpp"
 #include "kernels/terms/moving_boundary.hpp"
 
 namespace sluice {
@@ -27,6 +28,36 @@ struct BoundaryContinuity : MovingBoundaryContinuity {
     template <class Pair>
     [[gnu::always_inline]] Vec<1, typename Pair::Real> operator()(const Pair& ij) const {
         return {{MovingBoundaryContinuity::operator()(ij)}};
+    }
+};
+
+template <int Dim>
+struct BoundaryFrictionPass : BoundaryFriction {
+    static constexpr int dim = Dim, outputs = Dim;
+    static constexpr bool always_full = true;
+};
+
+template <int Dim>
+struct BoundaryFrictionReactionPass : BoundaryFrictionReaction {
+    static constexpr int dim = Dim, outputs = Dim;
+    static constexpr bool always_full = true;
+};
+
+/// Σ_f V_f W_wf and Σ_f V_f W_wf v_f of a boundary particle w.
+template <int Dim>
+struct BoundaryVelocitySums {
+    static constexpr int dim = Dim, outputs = 1 + Dim;
+    static constexpr bool always_full = true;
+    static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::velocity;
+
+    template <class Pair>
+    [[gnu::always_inline]] Vec<outputs, typename Pair::Real> operator()(const Pair& wf) const {
+        const auto v_w = wf.m_w() * reciprocal(wf.rho_j());
+        const auto v_f = wf.v_j();
+        Vec<outputs, typename Pair::Real> out;
+        out[0] = v_w;
+        unroll<Dim>([&](int k) __attribute__((always_inline)) { out[1 + k] = v_w * v_f[k]; });
+        return out;
     }
 };
 

@@ -85,6 +85,7 @@ Wall read_wall(TomlTable& table, const std::string& name) {
         wall.shape = read_shape(table.get("shape"));
         wall.spacing = read_spacing(table);
         if (const auto motion = table.get("motion")) wall.motion = read_motion(motion);
+        if (const auto v = table.get("condition")) wall.slip = v.choice({"slip", "no-slip"}) == 0;
     } else {
         wall.point = table.get("point").point();
         const TomlValue normal = table.get("normal");

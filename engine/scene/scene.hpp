@@ -74,6 +74,7 @@ struct Wall {
     Point normal{};      ///< mirror: unit normal into the fluid
     ShapePtr shape;      ///< fixed: filled with layers of fixed ghost particles
     Motion motion;       ///< fixed
+    bool slip = true;    ///< fixed: whether a viscous fluid slips along it
     double spacing = 0;  ///< fixed: [m]
 };
 

@@ -74,6 +74,10 @@ struct WallPhase {
     Array<std::uint32_t> id;
     Array<std::uint16_t> body;  ///< index into Scene::walls
 
+    // Only if the fluid does not slip at a wall.
+    VectorField<Dim> ghost_velocity;  ///< v_g of kernels/terms/boundary_viscosity.hpp [m/s]
+    ScalarField friction_volume;      ///< volume; 0 where the fluid slips
+
     // Only if a wall moves.
     VectorField<Dim> initial_position;  ///< [m]
     VectorField<Dim> velocity;          ///< [m/s]
@@ -84,14 +88,15 @@ struct WallPhase {
 template <int Dim>
 struct BoundaryParticles {
     std::size_t owned = 0;
-    VectorField<Dim> position;      ///< [m]
-    VectorField<Dim> velocity;      ///< [m/s]
-    VectorField<Dim> acceleration;  ///< [m/s²]
-    ScalarField volume;             ///< m/ρ [m³; m² in 2D]
-    ScalarField smoothing_length;   ///< of the solid [m]
-    VectorField<Dim> force;         ///< of the fluid on it [N; N/m in 2D]
-    Array<std::uint32_t> solid;     ///< id of the solid's particle
-    Array<std::uint16_t> body;      ///< index into Scene::bodies
+    VectorField<Dim> position;        ///< [m]
+    VectorField<Dim> velocity;        ///< [m/s]
+    VectorField<Dim> acceleration;    ///< [m/s²]
+    ScalarField volume;               ///< m/ρ [m³; m² in 2D]
+    ScalarField smoothing_length;     ///< of the solid [m]
+    VectorField<Dim> force;           ///< of the fluid on it [N; N/m in 2D]
+    VectorField<Dim> ghost_velocity;  ///< v_g, only if the fluid is viscous [m/s]
+    Array<std::uint32_t> solid;       ///< id of the solid's particle
+    Array<std::uint16_t> body;        ///< index into Scene::bodies
 };
 
 /// Elements of the interface between fluid and solids: a polygon around each solid body.

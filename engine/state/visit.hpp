@@ -62,6 +62,8 @@ template <int Dim, class F>
 void visit_columns(WallPhase<Dim>& p, F&& f) {
     detail::visit_tuple("position", p.position, f);
     detail::visit_tuple("initial_position", p.initial_position, f);
+    detail::visit_tuple("ghost_velocity", p.ghost_velocity, f);
+    f("friction_volume", p.friction_volume);
     detail::visit_tuple("velocity", p.velocity, f);
     f("pressure", p.pressure), f("volume", p.volume), f("smoothing_length", p.smoothing_length);
     f("id", p.id), f("body", p.body);
@@ -73,6 +75,7 @@ void visit_columns(BoundaryParticles<Dim>& p, F&& f) {
     detail::visit_tuple("velocity", p.velocity, f);
     detail::visit_tuple("acceleration", p.acceleration, f);
     detail::visit_tuple("force", p.force, f);
+    detail::visit_tuple("ghost_velocity", p.ghost_velocity, f);
     f("volume", p.volume), f("smoothing_length", p.smoothing_length), f("solid", p.solid), f("body", p.body);
 }
 

@@ -15,16 +15,41 @@ void BoundaryCoupling<Dim>::forces() {
     const Vec<Dim> gravity = c_.state.gravity;
     const auto solid_view = view_of(boundary), fluid_view = view_of(fluid);
     for (auto& column : boundary.force.c) std::fill(column.begin(), column.end(), 0.0);
-    const Vec<Dim> on_solid = boundary_reaction<Dim>(solid_view, fluid_view, c_.neighbors.boundary_fluid, gravity,
-                                                     c_.method, block_totals_, boundary.force);
+    Vec<Dim> on_solid = boundary_reaction<Dim>(solid_view, fluid_view, c_.neighbors.boundary_fluid, gravity, c_.method,
+                                               block_totals_, boundary.force);
     boundary_reaction<Dim>(solid_view, fluid_view, c_.neighbors.boundary_image, gravity, c_.method, block_totals_,
                            boundary.force);
-    const Vec<Dim> on_fluid = boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.fluid_boundary,
+    Vec<Dim> on_fluid = boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.fluid_boundary,
                                                               gravity, c_.method, block_totals_, fluid.acceleration);
     boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.image_boundary, gravity, c_.method,
                                     block_totals_, fluid.acceleration);
+    if (c_.has(Effect::no_slip_solid)) friction(on_solid, on_fluid);
     hand_over();
     record_balance(on_solid, on_fluid);
+}
+
+template <int Dim>
+void BoundaryCoupling<Dim>::friction(Vec<Dim>& on_solid, Vec<Dim>& on_fluid) {
+    auto& boundary = c_.state.boundary;
+    auto& fluid = c_.state.fluid;
+    const auto& lists = c_.neighbors;
+    const double viscosity = c_.state.water->viscosity;
+    parallel_for(boundary.owned, [&](std::size_t i) { boundary.ghost_velocity.set(i, boundary.velocity[i]); });
+    const auto fluid_view = view_of(fluid);
+    // Images of the fluid at a mirror wall move along with it: the mean over the fluid alone has the same tangent.
+    boundary_ghost_velocity<Dim>(view_of(boundary), fluid_view, lists.boundary_fluid, c_.method,
+                                 boundary.ghost_velocity);
+    c_.neighbors.refresh_boundary_friction();
+    ParticleView<Dim> ghosts = view_of(boundary);
+    ghosts.velocity = columns_of(boundary.ghost_velocity);
+    on_solid += boundary_friction_reaction<Dim>(ghosts, fluid_view, lists.boundary_fluid, viscosity, c_.method,
+                                                block_totals_, boundary.force);
+    boundary_friction_reaction<Dim>(ghosts, fluid_view, lists.boundary_image, viscosity, c_.method, block_totals_,
+                                    boundary.force);
+    on_fluid += boundary_friction<Dim>(fluid_view, ghosts, lists.fluid_boundary, viscosity, c_.method, block_totals_,
+                                       fluid.acceleration);
+    boundary_friction<Dim>(fluid_view, ghosts, lists.image_boundary, viscosity, c_.method, block_totals_,
+                           fluid.acceleration);
 }
 
 template <int Dim>

@@ -22,6 +22,8 @@ class BoundaryCoupling {
   private:
     /// Copies place, velocity and acceleration of the solid's particles.
     void follow(const VectorField<Dim>& position, const VectorField<Dim>& velocity);
+    /// What a viscous fluid's friction adds to both sides; the sums of the forces on solid and fluid.
+    void friction(Vec<Dim>& on_solid, Vec<Dim>& on_fluid);
     void hand_over();
     void record_balance(const Vec<Dim>& on_solid, const Vec<Dim>& on_fluid);
 

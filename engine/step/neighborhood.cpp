@@ -367,6 +367,22 @@ void Neighborhood<Dim>::refresh_wall_motion() {
 }
 
 template <int Dim>
+void Neighborhood<Dim>::refresh_wall_friction() {
+    auto& wall = state_.wall;
+    wall.ghost_velocity.resize(wall.position.size());
+    wall_images_.refresh_directions(wall.ghost_velocity, wall.owned);
+    resize_tight(wall.friction_volume, wall.position.size());
+    wall_images_.refresh(wall.friction_volume, wall.owned);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::refresh_boundary_friction() {
+    auto& boundary = state_.boundary;
+    boundary.ghost_velocity.resize(boundary.position.size());
+    boundary_images_.refresh_directions(boundary.ghost_velocity, boundary.owned);
+}
+
+template <int Dim>
 std::size_t Neighborhood<Dim>::bytes() const {
     std::size_t sum = 0;
     for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid,

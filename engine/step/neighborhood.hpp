@@ -40,6 +40,8 @@ class Neighborhood {
     void refresh_boundary();
     void refresh_wall_pressure();
     void refresh_wall_motion();
+    void refresh_wall_friction();
+    void refresh_boundary_friction();
 
     const std::vector<Index>& solid_index_of_id() const { return solid_index_of_id_; }
     std::uint64_t builds() const { return builds_; }

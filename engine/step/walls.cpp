@@ -10,6 +10,11 @@ namespace sluice {
 
 template <int Dim>
 WallPart<Dim>::WallPart(StepContext<Dim>& context) : c_(context) {
+    if (c_.has(Effect::no_slip_wall)) {
+        auto& wall = c_.state.wall;
+        for (std::size_t i = 0; i < wall.owned; ++i)
+            wall.friction_volume[i] = c_.scene.walls[wall.body[i]].slip ? 0.0 : wall.volume[i];
+    }
     if (!c_.has(Effect::moving_wall)) return;
     for (const Wall& wall : c_.scene.walls) {
         motion_.emplace_back();
@@ -80,6 +85,25 @@ void WallPart<Dim>::forces() {
     c_.neighbors.refresh_wall_pressure();
     c_.pairs +=
         fixed_ghost_force<Dim>(view_of(fluid), view_of(wall), c_.neighbors.fluid_wall, c_.method, fluid.acceleration);
+    if (c_.has(Effect::no_slip_wall)) friction();
+}
+
+template <int Dim>
+void WallPart<Dim>::friction() {
+    auto& wall = c_.state.wall;
+    auto& fluid = c_.state.fluid;
+    const bool moving = c_.has(Effect::moving_wall);
+    parallel_for(wall.owned,
+                 [&](std::size_t i) { wall.ghost_velocity.set(i, moving ? wall.velocity[i] : Vec<Dim>{}); });
+    ParticleView<Dim> ghosts = view_of(wall);
+    ghosts.velocity = columns_of(wall.ghost_velocity);
+    boundary_ghost_velocity<Dim>(ghosts, view_of(fluid), c_.neighbors.wall_fluid, c_.method, wall.ghost_velocity);
+    c_.neighbors.refresh_wall_friction();
+    ghosts = view_of(wall);
+    ghosts.velocity = columns_of(wall.ghost_velocity);
+    ghosts.volume = wall.friction_volume.data();
+    boundary_friction<Dim>(view_of(fluid), ghosts, c_.neighbors.fluid_wall, c_.state.water->viscosity, c_.method,
+                           block_totals_, fluid.acceleration);
 }
 
 template <int Dim>

@@ -6,6 +6,7 @@
 
 #include "engine/step/context.hpp"
 #include "engine/step/wall_motion.hpp"
+#include "kernels/block_totals.hpp"
 
 namespace sluice {
 
@@ -25,12 +26,14 @@ class WallPart {
     void rates();
 
   private:
+    void friction();
     /// Ghosts stand where their walls have moved to; velocity of each wall [m/s].
     void place(const std::vector<Vec<Dim>>& displacement, const std::vector<Vec<Dim>>& velocity);
 
     StepContext<Dim>& c_;
     std::vector<std::optional<WallMotion<Dim>>> motion_;  ///< by the walls' numbers; empty if none moves
     std::vector<Vec<Dim>> displacement_, velocity_, acceleration_, effective_gravity_;
+    BlockTotals<Dim> block_totals_;
 };
 
 extern template class WallPart<2>;
