@@ -151,20 +151,14 @@ void allocate(const Effects& effects, std::string_view name, std::size_t particl
 /// A solid particle's number within its body, and the elements around the bodies that fluid can reach.
 template <int Dim>
 void place_interface(const Scene& scene, const std::vector<Packing>& packings, State<Dim>& state) {
-    if constexpr (Dim == 2) {
-        Index first_id = 0;
-        for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-            if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
-            state.surface.add_body(packings[b], first_id, static_cast<std::uint16_t>(b));
-            first_id += static_cast<Index>(packings[b].position.size());
-        }
-        state.surface.allocate(state.elements);
-        state.elements.smoothing_length.assign(state.elements.owned, state.solid.smoothing_length[0]);
-    } else {
-        scene.fail("dimension",
-                   "found 3 for a scene with both fluid and solid bodies; the interface between them is "
-                   "so far built in two dimensions only: expected 2");
+    Index first_id = 0;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
+        state.surface.add_body(packings[b], first_id, static_cast<std::uint16_t>(b));
+        first_id += static_cast<Index>(packings[b].position.size());
     }
+    state.surface.allocate(state.elements);
+    state.elements.smoothing_length.assign(state.elements.owned, state.solid.smoothing_length[0]);
 }
 
 /// Which of a body's particles have an empty lattice site within `range` of them: only those can come near a fluid.
