@@ -249,7 +249,7 @@ template <int Dim>
 std::size_t Simulation<Dim>::memory_bytes() const {
     const auto& s = impl_->state;
     return column_bytes(s.fluid) + column_bytes(s.solid) + column_bytes(s.wall) + column_bytes(s.elements) +
-           column_bytes(s.boundary) + impl_->neighbors.bytes();
+           column_bytes(s.boundary) + s.surface.bytes() + impl_->neighbors.bytes();
 }
 template <int Dim>
 const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {

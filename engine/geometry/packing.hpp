@@ -9,12 +9,15 @@
 
 namespace sluice {
 
+/// Lattice coordinates, from 0; z = 0 in 2D.
+using Site = std::array<std::int32_t, 3>;
+
 /// Lattice particles of one region.
 struct Packing {
-    std::vector<Point> position;                    ///< [m]
-    std::vector<std::array<std::int32_t, 3>> site;  ///< lattice coordinates (z = 0 in 2D), ascending in z, y, x
-    Point spacing{};                                ///< lattice distance along each axis [m] (z = 1 in 2D)
-    double volume = 0;                              ///< of one particle: the product of the spacings [m³, m² in 2D]
+    std::vector<Point> position;  ///< [m]
+    std::vector<Site> site;       ///< ascending in z, y, x
+    Point spacing{};              ///< lattice distance along each axis [m] (z = 1 in 2D)
+    double volume = 0;            ///< of one particle: the product of the spacings [m³, m² in 2D]
 };
 
 /// The bounding box is divided into a whole number of sites along each axis, as near to `spacing` as can be, so that

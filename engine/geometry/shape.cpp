@@ -29,9 +29,9 @@ class Box : public Shape {
     double slack_ = 0;
 };
 
-class Circle : public Shape {
+class Ball : public Shape {
   public:
-    Circle(const Point& centre, double radius) : centre_(centre), radius_(radius) {}
+    Ball(const Point& centre, double radius) : centre_(centre), radius_(radius) {}
     bool contains(const Point& p) const override {
         const double distance = std::hypot(p[0] - centre_[0], p[1] - centre_[1], p[2] - centre_[2]);
         return distance <= radius_ * (1 + edge_tolerance);
@@ -48,6 +48,38 @@ class Circle : public Shape {
   private:
     Point centre_;
     double radius_;
+};
+
+class Cylinder : public Shape {
+  public:
+    Cylinder(const Point& from, const Point& to, double radius) : from_(from), to_(to), radius_(radius) {
+        for (std::size_t k = 0; k < 3; ++k) direction_[k] = to[k] - from[k];
+        length_ = std::hypot(direction_[0], direction_[1], direction_[2]);
+        for (double& component : direction_) component /= length_;
+        slack_ = edge_tolerance * std::max(length_, 2 * radius);
+    }
+    bool contains(const Point& p) const override {
+        Point r;
+        for (std::size_t k = 0; k < 3; ++k) r[k] = p[k] - from_[k];
+        const double along = r[0] * direction_[0] + r[1] * direction_[1] + r[2] * direction_[2];
+        if (along < -slack_ || along > length_ + slack_) return false;
+        for (std::size_t k = 0; k < 3; ++k) r[k] -= along * direction_[k];
+        return std::hypot(r[0], r[1], r[2]) <= radius_ + slack_;
+    }
+    /// A disc of radius R across the unit vector a reaches R sqrt(1 − a_k²) along axis k.
+    Bounds bounds() const override {
+        Bounds b;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double reach = radius_ * std::sqrt(std::max(0.0, 1 - direction_[k] * direction_[k]));
+            b.min[k] = std::min(from_[k], to_[k]) - reach;
+            b.max[k] = std::max(from_[k], to_[k]) + reach;
+        }
+        return b;
+    }
+
+  private:
+    Point from_, to_, direction_{};
+    double radius_, length_ = 0, slack_ = 0;
 };
 
 Bounds united(const Bounds& a, const Bounds& b) {
@@ -94,6 +126,33 @@ class Polygon : public Shape {
     double slack_ = 0;
 };
 
+class Extrusion : public Shape {
+  public:
+    Extrusion(std::vector<Point> polygon, std::size_t axis, const Interval& along)
+        : polygon_(std::move(polygon)), axis_(axis), along_(along) {
+        slack_ = edge_tolerance * (along.to - along.from);
+    }
+    bool contains(const Point& p) const override {
+        if (p[axis_] < along_.from - slack_ || p[axis_] > along_.to + slack_) return false;
+        const auto [u, v] = axes_across(axis_);
+        return polygon_.contains({p[u], p[v], 0});
+    }
+    Bounds bounds() const override {
+        const Bounds flat = polygon_.bounds();
+        const auto [u, v] = axes_across(axis_);
+        Bounds b;
+        b.min[axis_] = along_.from, b.min[u] = flat.min[0], b.min[v] = flat.min[1];
+        b.max[axis_] = along_.to, b.max[u] = flat.max[0], b.max[v] = flat.max[1];
+        return b;
+    }
+
+  private:
+    Polygon polygon_;
+    std::size_t axis_;
+    Interval along_;
+    double slack_;
+};
+
 class Union : public Shape {
   public:
     explicit Union(std::vector<ShapePtr> parts) : parts_(std::move(parts)) {}
@@ -128,9 +187,22 @@ class Difference : public Shape {
 
 ShapePtr make_box(const Point& min, const Point& max) { return std::make_shared<Box>(min, max); }
 
-ShapePtr make_circle(const Point& centre, double radius) { return std::make_shared<Circle>(centre, radius); }
+ShapePtr make_ball(const Point& centre, double radius) { return std::make_shared<Ball>(centre, radius); }
+
+ShapePtr make_cylinder(const Point& from, const Point& to, double radius) {
+    return std::make_shared<Cylinder>(from, to, radius);
+}
 
 ShapePtr make_polygon(std::vector<Point> vertices) { return std::make_shared<Polygon>(std::move(vertices)); }
+
+std::array<std::size_t, 2> axes_across(std::size_t axis) {
+    constexpr std::array<std::array<std::size_t, 2>, 3> across{{{1, 2}, {0, 2}, {0, 1}}};
+    return across[axis];
+}
+
+ShapePtr make_extrusion(std::vector<Point> polygon, std::size_t axis, const Interval& along) {
+    return std::make_shared<Extrusion>(std::move(polygon), axis, along);
+}
 
 ShapePtr make_union(std::vector<ShapePtr> parts) { return std::make_shared<Union>(std::move(parts)); }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/output/moving_least_squares.hpp"
+#include "engine/geometry/moving_least_squares.hpp"
 #include "engine/output/probe_sampler.hpp"
 
 namespace sluice {

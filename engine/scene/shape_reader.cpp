@@ -20,19 +20,34 @@ ShapePtr read_box(const TomlValue& value) {
     return make_box(low, high);
 }
 
-ShapePtr read_circle(const TomlValue& value) {
+/// Circle and sphere.
+ShapePtr read_ball(const TomlValue& value) {
     TomlTable table(value);
     const Point centre = table.get("centre").point();
     const double radius = table.get("radius").number(positive);
     table.finish();
-    return make_circle(centre, radius);
+    return make_ball(centre, radius);
 }
 
-ShapePtr read_polygon(const TomlValue& value) {
-    if (value.scene().dimension == 3)
-        value.fail("found a polygon in a 3D scene, expected box, circle, union or difference");
+ShapePtr read_cylinder(const TomlValue& value) {
+    TomlTable table(value);
+    const TomlValue from = table.get("from"), to = table.get("to");
+    const Point begin = from.point(), end = to.point();
+    if (begin == end) to.fail("found the same point as from's, expected the centre of the other end");
+    const double radius = table.get("radius").number(positive);
+    table.finish();
+    return make_cylinder(begin, end, radius);
+}
+
+/// The vertices of a simple polygon in the plane of two axes.
+std::vector<Point> read_vertices(const TomlValue& value, const std::array<std::size_t, 2>& axes) {
+    const std::string pair = fmt::format("[{}, {}]", "xyz"[axes[0]], "xyz"[axes[1]]);
     std::vector<Point> vertices;
-    for (const TomlValue& vertex : value.items("an array of vertices [x, y]")) vertices.push_back(vertex.point());
+    for (const TomlValue& vertex : value.items("an array of vertices " + pair)) {
+        const std::vector<TomlValue> numbers = vertex.items("2 numbers " + pair);
+        if (numbers.size() != 2) vertex.reject("2 numbers " + pair);
+        vertices.push_back({numbers[0].number(), numbers[1].number(), 0});
+    }
     if (vertices.size() < 3)
         value.fail(fmt::format("found a polygon of {} vertices, expected 3 or more", vertices.size()));
     if (const auto crossing = find_crossing_edges(vertices))
@@ -41,7 +56,21 @@ ShapePtr read_polygon(const TomlValue& value) {
                         "polygon that does not cross itself",
                         crossing->first, crossing->second));
     if (polygon_area(vertices) == 0) value.fail("found a polygon without area, expected vertices not on one line");
-    return make_polygon(std::move(vertices));
+    return vertices;
+}
+
+ShapePtr read_polygon(const TomlValue& value) { return make_polygon(read_vertices(value, {0, 1})); }
+
+ShapePtr read_extrusion(const TomlValue& value) {
+    TomlTable table(value);
+    const TomlValue vertices = table.get("polygon");
+    const std::size_t axis = table.get("axis").choice({"x", "y", "z"});
+    std::vector<Point> polygon = read_vertices(vertices, axes_across(axis));
+    const TomlValue from = table.get("from"), to = table.get("to");
+    const Interval along{from.number(), to.number()};
+    if (!(along.from < along.to)) to.fail(fmt::format("found {}, expected more than from's {}", along.to, along.from));
+    table.finish();
+    return make_extrusion(std::move(polygon), axis, along);
 }
 
 std::vector<ShapePtr> read_shapes(const TomlValue& value) {
@@ -69,28 +98,56 @@ ShapePtr read_difference(const TomlValue& value) {
 struct ShapeKind {
     const char* key;
     ShapePtr (*read)(const TomlValue&);
+    int dimension = 0;         ///< 0 = both
+    const char* instead = "";  ///< what to write in a scene of the other dimension
 };
-constexpr std::array<ShapeKind, 5> shape_kinds{{{"box", read_box},
-                                                {"circle", read_circle},
-                                                {"polygon", read_polygon},
-                                                {"union", read_union},
-                                                {"difference", read_difference}}};
+constexpr std::array<ShapeKind, 8> shape_kinds{{
+    {"box", read_box},
+    {"circle", read_ball, 2, "sphere"},
+    {"polygon", read_polygon, 2, "extrusion = {polygon = [[x, y], ...], axis = \"z\", from = z0, to = z1}"},
+    {"sphere", read_ball, 3, "circle"},
+    {"cylinder", read_cylinder, 3, "circle, or box for one seen from its side"},
+    {"extrusion", read_extrusion, 3, "polygon"},
+    {"union", read_union},
+    {"difference", read_difference},
+}};
+
+/// "one of box, circle, …", those that the scene's dimension has.
+std::string known_shapes(int dimension) {
+    std::string list;
+    for (const ShapeKind& kind : shape_kinds)
+        if (kind.dimension == 0 || kind.dimension == dimension)
+            list += (list.empty() ? "one of " : ", ") + std::string(kind.key);
+    return list;
+}
+
+/// A shape of the other dimension is answered with its counterpart.
+void refuse_foreign(const TomlValue& value, const ShapeKind& kind) {
+    if (!value.node()->as_table()->contains(kind.key)) return;
+    TomlTable(value).get(kind.key).fail(fmt::format("found {} {} in a {}D scene, expected {}",
+                                                    kind.key[0] == 'e' ? "an" : "a", kind.key, value.scene().dimension,
+                                                    kind.instead));
+}
 
 }  // namespace
 
 ShapePtr read_shape(const TomlValue& value) {
-    constexpr std::string_view expected = "one of box, circle, polygon, union, difference";
-    if (!value || !value.node()->is_table()) value.reject("a table with " + std::string(expected));
+    const int dimension = value.scene().dimension;
+    if (!value || !value.node()->is_table()) value.reject("a table with " + known_shapes(dimension));
     TomlTable table(value);
     ShapePtr shape;
     for (const ShapeKind& kind : shape_kinds) {
+        if (kind.dimension != 0 && kind.dimension != dimension) {
+            refuse_foreign(value, kind);
+            continue;
+        }
         const TomlValue found = table.get(kind.key);
         if (!found) continue;
-        if (shape) found.fail("found a second shape, expected " + std::string(expected));
+        if (shape) found.fail("found a second shape, expected " + known_shapes(dimension));
         shape = kind.read(found);
     }
     table.finish();
-    if (!shape) value.fail("found an empty table, expected " + std::string(expected));
+    if (!shape) value.fail("found an empty table, expected " + known_shapes(dimension));
     return shape;
 }
 

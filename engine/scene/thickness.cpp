@@ -1,55 +1,25 @@
 #include "engine/scene/thickness.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "engine/geometry/site_index.hpp"
 
 namespace sluice {
 namespace {
 
-using Site = std::array<std::int32_t, 3>;
-
-Site moved(Site site, std::size_t axis, std::int32_t by) {
-    site[axis] += by;
-    return site;
+bool lacks_neighbours(const SiteIndex& lattice, const Site& site, std::size_t axis) {
+    return !lattice.taken(moved(site, axis, -1)) && !lattice.taken(moved(site, axis, 1));
 }
 
-/// Which lattice sites hold a particle.
-class Occupancy {
-  public:
-    explicit Occupancy(const Packing& packing) {
-        for (const Site& s : packing.site)
-            for (std::size_t k = 0; k < 3; ++k) size_[k] = std::max(size_[k], s[k] + 1);
-        taken_.resize(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2]);
-        for (const Site& s : packing.site) taken_[index(s)] = true;
-    }
-    bool operator()(const Site& s) const {
-        for (std::size_t k = 0; k < 3; ++k)
-            if (s[k] < 0 || s[k] >= size_[k]) return false;
-        return taken_[index(s)];
-    }
-
-  private:
-    std::size_t index(const Site& s) const {
-        return (static_cast<std::size_t>(s[2]) * size_[1] + s[1]) * size_[0] + s[0];
-    }
-    Site size_{};
-    std::vector<bool> taken_;
-};
-
-bool lacks_neighbours(const Occupancy& taken, const Site& site, std::size_t axis) {
-    return !taken(moved(site, axis, -1)) && !taken(moved(site, axis, 1));
-}
-
-bool is_thin(const Occupancy& taken, const Site& site, std::size_t axis, std::size_t dimension) {
-    if (!lacks_neighbours(taken, site, axis)) return false;
+bool is_thin(const SiteIndex& lattice, const Site& site, std::size_t axis, std::size_t dimension) {
+    if (!lacks_neighbours(lattice, site, axis)) return false;
     bool alone = true;
     for (std::size_t other = 0; other < dimension; ++other) {
         if (other == axis) continue;
         for (const std::int32_t step : {-1, 1}) {
             const Site next = moved(site, other, step);
-            if (!taken(next)) continue;
-            if (lacks_neighbours(taken, next, axis)) return true;
+            if (!lattice.taken(next)) continue;
+            if (lacks_neighbours(lattice, next, axis)) return true;
             alone = false;
         }
     }
@@ -75,11 +45,11 @@ double reach(const Shape& shape, const Point& p, std::size_t axis, double step) 
 }  // namespace
 
 std::optional<ThinPlace> find_thin_place(const Shape& shape, const Packing& packing, int dimension) {
-    const Occupancy taken(packing);
+    const SiteIndex lattice(packing.site);
     const auto axes = static_cast<std::size_t>(dimension);
     for (std::size_t i = 0; i < packing.site.size(); ++i)
         for (std::size_t axis = 0; axis < axes; ++axis) {
-            if (!is_thin(taken, packing.site[i], axis, axes)) continue;
+            if (!is_thin(lattice, packing.site[i], axis, axes)) continue;
             const double d = packing.spacing[axis];
             const double thickness =
                 reach(shape, packing.position[i], axis, d) + reach(shape, packing.position[i], axis, -d);

@@ -99,7 +99,7 @@ struct BoundaryParticles {
     Array<std::uint16_t> body;        ///< index into Scene::bodies
 };
 
-/// Elements of the interface between fluid and solids: a polygon around each solid body.
+/// Elements of the interface between fluid and solids: a closed surface around each solid body, see surface.hpp.
 /// Elements beyond `owned` are images across mirror walls.
 template <int Dim>
 struct InterfaceElements {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "engine/geometry/site_index.hpp"
 #include "engine/scene/checks.hpp"
 #include "engine/scene/formula.hpp"
 #include "engine/state/state.hpp"
@@ -151,36 +151,30 @@ void allocate(const Effects& effects, std::string_view name, std::size_t particl
 /// A solid particle's number within its body, and the elements around the bodies that fluid can reach.
 template <int Dim>
 void place_interface(const Scene& scene, const std::vector<Packing>& packings, State<Dim>& state) {
-    if constexpr (Dim == 2) {
-        Index first_id = 0;
-        for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-            if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
-            state.surface.add_body(packings[b], first_id, static_cast<std::uint16_t>(b));
-            first_id += static_cast<Index>(packings[b].position.size());
-        }
-        state.surface.allocate(state.elements);
-        state.elements.smoothing_length.assign(state.elements.owned, state.solid.smoothing_length[0]);
-    } else {
-        scene.fail("dimension",
-                   "found 3 for a scene with both fluid and solid bodies; the interface between them is "
-                   "so far built in two dimensions only: expected 2");
+    Index first_id = 0;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
+        state.surface.add_body(packings[b], first_id, static_cast<std::uint16_t>(b));
+        first_id += static_cast<Index>(packings[b].position.size());
     }
+    state.surface.allocate(state.elements);
+    state.elements.smoothing_length.assign(state.elements.owned, state.solid.smoothing_length[0]);
 }
 
 /// Which of a body's particles have an empty lattice site within `range` of them: only those can come near a fluid.
 std::vector<bool> near_surface(const Packing& packing, double range) {
-    std::set<std::array<std::int32_t, 3>> sites(packing.site.begin(), packing.site.end());
-    std::array<std::int32_t, 3> reach{};
+    const SiteIndex lattice(packing.site);
+    Site reach{};
     for (std::size_t k = 0; k < 3; ++k) reach[k] = static_cast<std::int32_t>(range / packing.spacing[k]);
     std::vector<bool> near(packing.site.size());
     for (std::size_t i = 0; i < near.size(); ++i) {
-        const auto& s = packing.site[i];
+        const Site& s = packing.site[i];
         for (std::int32_t x = -reach[0]; x <= reach[0] && !near[i]; ++x)
             for (std::int32_t y = -reach[1]; y <= reach[1] && !near[i]; ++y)
                 for (std::int32_t z = -reach[2]; z <= reach[2] && !near[i]; ++z) {
                     const double distance =
                         std::hypot(x * packing.spacing[0], y * packing.spacing[1], z * packing.spacing[2]);
-                    near[i] = distance <= range && !sites.contains({s[0] + x, s[1] + y, s[2] + z});
+                    near[i] = distance <= range && !lattice.taken({s[0] + x, s[1] + y, s[2] + z});
                 }
     }
     return near;

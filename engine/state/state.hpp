@@ -30,7 +30,7 @@ struct State {
     WallPhase<Dim> wall;
     InterfaceElements<Dim> elements;
     BoundaryParticles<Dim> boundary;
-    SurfaceChains surface;
+    BodySurface<Dim> surface;
     std::vector<ImagePlane<Dim>> image_planes;  ///< mirror walls and sides of periodic boxes
     Vec<Dim> gravity;                           ///< [m/s²]
     std::optional<Medium> water;                ///< the fluid's, if there is fluid

@@ -65,7 +65,7 @@ void InterfaceCoupling<Dim>::rates() {
 template <int Dim>
 void InterfaceCoupling<Dim>::update_elements(const VectorField<Dim>& solid_position, const ParticleView<Dim>& solid) {
     auto& e = c_.state.elements;
-    if constexpr (Dim == 2) c_.state.surface.update(solid_position, c_.neighbors.solid_index_of_id(), e);
+    c_.state.surface.update(solid_position, c_.neighbors.solid_index_of_id(), e);
     interface_weights<Dim>(view_of(e), solid, c_.neighbors.element_solid, c_.method, e.solid_weight, e.velocity);
     for (std::size_t k = 0; k < e.owned; ++k)
         if (e.solid_weight[k] == 0) e.area_normal.set(k, {});  // torn off its body

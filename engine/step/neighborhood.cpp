@@ -256,7 +256,7 @@ void Neighborhood<Dim>::list_coupling(const Grid& query, const Set& a, const Gri
 template <int Dim>
 void Neighborhood<Dim>::build_interface() {
     auto& elements = state_.elements;
-    if constexpr (Dim == 2) state_.surface.update(state_.solid.position, solid_index_of_id_, elements);
+    state_.surface.update(state_.solid.position, solid_index_of_id_, elements);
     element_grid_.build(elements.position, 0, elements.owned, cell_over_h_ * state_.max_h);
     const bool mirrored = has_images();
     if (mirrored) make_element_images();

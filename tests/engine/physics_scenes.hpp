@@ -26,7 +26,8 @@ end = 1.0
 )toml";
 }
 
-inline void advance(Simulation<2>& simulation, int steps) {
+template <int Dim>
+void advance(Simulation<Dim>& simulation, int steps) {
     for (int s = 0; s < steps; ++s) simulation.step();
 }
 

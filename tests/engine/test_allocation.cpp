@@ -28,6 +28,25 @@ void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 namespace sluice {
+namespace {
+
+template <int Dim>
+void check_no_allocation(Simulation<Dim>& simulation) {
+    advance(simulation, 2);  // scratch grows to its size
+    int without_search = 0;
+    for (int s = 0; s < 30; ++s) {
+        const std::uint64_t builds = simulation.work().neighbour_builds;
+        const long before = allocations;
+        simulation.step();
+        const long made = allocations - before;
+        if (simulation.work().neighbour_builds != builds) continue;
+        ++without_search;
+        REQUIRE(made == 0);
+    }
+    REQUIRE(without_search > 10);
+}
+
+}  // namespace
 
 TEST_CASE("A step without a search allocates nothing") {
     const std::string precision = GENERATE("double", "mixed"), rate = GENERATE("single-rate", "multi-rate");
@@ -51,18 +70,25 @@ kind = "fixed"
 shape = { box = { min = [-0.12, 0.0], max = [-0.1, 0.06] } }
 )toml",
                                               {"method.precision=" + precision, "method.time_stepping=" + rate}));
-    advance(simulation, 2);  // scratch grows to its size
-    int without_search = 0;
-    for (int s = 0; s < 30; ++s) {
-        const std::uint64_t builds = simulation.work().neighbour_builds;
-        const long before = allocations;
-        simulation.step();
-        const long made = allocations - before;
-        if (simulation.work().neighbour_builds != builds) continue;
-        ++without_search;
-        REQUIRE(made == 0);
-    }
-    REQUIRE(without_search > 10);
+    check_no_allocation(simulation);
+}
+
+TEST_CASE("A step without a search allocates nothing in 3D") {
+    Simulation<3> simulation(scene_text::load("dimension = 3\ngravity = [0.0, -9.81, 0.0]\n" + preamble(0.005) + R"toml(
+[bodies.water]
+material = "water"
+shape = { box = { min = [-0.05, 0.0, 0.0], max = [0.0, 0.06, 0.04] } }
+hydrostatic_surface = 0.06
+[bodies.gate]
+material = "rubber"
+shape = { box = { min = [0.0, 0.0, 0.0], max = [0.01, 0.06, 0.04] } }
+clamp = { box = { min = [0.0, 0.05, 0.0], max = [0.01, 0.06, 0.04] } }
+[walls.floor]
+kind = "mirror"
+point = [0.0, 0.0, 0.0]
+normal = [0.0, 1.0, 0.0]
+)toml"));
+    check_no_allocation(simulation);
 }
 
 }  // namespace sluice

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <random>
 
-#include "engine/output/moving_least_squares.hpp"
+#include "engine/geometry/moving_least_squares.hpp"
 #include "engine/output/probes.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/test_scenes.hpp"

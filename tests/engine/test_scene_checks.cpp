@@ -117,11 +117,11 @@ TEST_CASE("thin places", "[checks]") {
     CHECK_FALSE(thin(make_polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 0.1, 2));
     for (const double diameters : {2, 3, 5, 7, 9}) {
         CAPTURE(diameters);
-        CHECK_FALSE(thin(make_circle({0, 0, 0}, 0.5), 1 / diameters, 2));
-        CHECK_FALSE(thin(make_circle({0, 0, 0}, 0.5), 1 / diameters, 3));
+        CHECK_FALSE(thin(make_ball({0, 0, 0}, 0.5), 1 / diameters, 2));
+        CHECK_FALSE(thin(make_ball({0, 0, 0}, 0.5), 1 / diameters, 3));
     }
     // A single particle has nothing to lean on.
-    CHECK(thin(make_circle({0, 0, 0}, 0.5), 1, 2));
+    CHECK(thin(make_ball({0, 0, 0}, 0.5), 1, 2));
     // A block with a strip one particle thick, found where the strip is.
     const auto strip =
         thin(make_union({make_box({0, 0, 0}, {0.4, 0.4, 0}), make_box({0.4, 0.1, 0}, {1, 0.2, 0})}), 0.1, 2);
@@ -160,7 +160,7 @@ TEST_CASE("the search for close particles finds what all pairs show", "[checks]"
     int overlaps = 0, clear = 0;
     for (const int dimension : {2, 3})
         for (int step = 0; step < 12; ++step) {
-            const ShapePtr ball = make_circle({0.3, -0.2, 0.1 * (dimension - 2)}, 1);
+            const ShapePtr ball = make_ball({0.3, -0.2, 0.1 * (dimension - 2)}, 1);
             const ShapePtr hole = make_difference(make_box({-2, -2, -2.0 * (dimension - 2)}, {2, 2, 2}), {ball});
             const double d_ball = 0.1 + 0.013 * step, d_hole = 0.2;
             const Packing inner = pack(*ball, d_ball, dimension), outer = pack(*hole, d_hole, dimension);

@@ -270,10 +270,60 @@ TEST_CASE("shapes", "[scene]") {
           "26: bodies.gate.shape.difference: found 1 shapes, expected two or more: the first and what is cut from it");
     CHECK(shape_error("{ union = [{ circle = { centre = [0, 0], radius = \"a\" } }] }") ==
           "26: bodies.gate.shape.union[0].circle.radius: found \"a\", expected a number > 0");
-    CHECK(load_error(
-              "dimension = 3\nmethod.spacing = 1\nmaterials.w = { kind = \"fluid\", density = 1, sound_speed = 1 }\n"
-              "bodies.w = { material = \"w\", shape = { polygon = [] } }\n") ==
-          "4: bodies.w.shape.polygon: found a polygon in a 3D scene, expected box, circle, union or difference");
+    // What only three dimensions have.
+    CHECK(shape_error("{ sphere = { centre = [0, 0], radius = 1 } }") ==
+          "26: bodies.gate.shape.sphere: found a sphere in a 2D scene, expected circle");
+    CHECK(shape_error("{ cylinder = {} }") ==
+          "26: bodies.gate.shape.cylinder: found a cylinder in a 2D scene, expected circle, or box for one seen from "
+          "its side");
+    CHECK(shape_error("{ union = [{ extrusion = {} }] }") ==
+          "26: bodies.gate.shape.union[0].extrusion: found an extrusion in a 2D scene, expected polygon");
+}
+
+TEST_CASE("shapes in three dimensions", "[scene]") {
+    const auto scene = [](const std::string& shape) {
+        return "dimension = 3\nmethod.spacing = 1\noutput.end = 1\n"
+               "materials.w = { kind = \"fluid\", density = 1, sound_speed = 1 }\n"
+               "bodies.w = { material = \"w\", shape = " +
+               shape + " }\n";
+    };
+    const auto error = [&](const std::string& shape) { return load_error(scene(shape)); };
+    CHECK(error("{ polygon = [] }") ==
+          "5: bodies.w.shape.polygon: found a polygon in a 3D scene, expected extrusion = {polygon = [[x, y], ...], "
+          "axis = \"z\", from = z0, to = z1}");
+    CHECK(error("{ circle = { centre = [0, 0, 0], radius = 1 } }") ==
+          "5: bodies.w.shape.circle: found a circle in a 3D scene, expected sphere");
+    CHECK(error("{}") ==
+          "5: bodies.w.shape: found an empty table, expected one of box, sphere, cylinder, extrusion, union, "
+          "difference");
+    CHECK_THAT(error("{ cilinder = {} }"), StartsWith("5: bodies.w.shape.cilinder: found an unknown key") &&
+                                               Contains("did you mean \"cylinder\"?"));
+    CHECK(error("{ sphere = { centre = [0, 0], radius = 1 } }") ==
+          "5: bodies.w.shape.sphere.centre: found an array of 2 values, expected 3 numbers [x, y, z]");
+    CHECK(error("{ cylinder = { from = [0, 0, 0], to = [0, 0, 0], radius = 1 } }") ==
+          "5: bodies.w.shape.cylinder.to: found the same point as from's, expected the centre of the other end");
+    CHECK(error("{ cylinder = { from = [0, 0, 0], to = [0, 0, 1], radius = -1 } }") ==
+          "5: bodies.w.shape.cylinder.radius: found -1, expected a number > 0");
+    const std::string triangle =
+        "{ extrusion = { polygon = [[0, 0], [1, 0], [0, 1]], axis = \"y\", from = 2, to = 3 } }";
+    const auto extrusion_error = [&](const std::string& from, const std::string& to) {
+        return error(with(triangle, from, to));
+    };
+    CHECK(extrusion_error("to = 3", "to = 2") ==
+          "5: bodies.w.shape.extrusion.to: found 2, expected more than from's 2");
+    CHECK(extrusion_error("\"y\"", "\"up\"") ==
+          "5: bodies.w.shape.extrusion.axis: found \"up\", expected one of \"x\", \"y\", \"z\"");
+    CHECK(extrusion_error("[1, 0]", "[1, 0, 0]") ==
+          "5: bodies.w.shape.extrusion.polygon[1]: found an array of 3 values, expected 2 numbers [x, z]");
+    CHECK(extrusion_error("[0, 1]]", "[2, 0]]") ==
+          "5: bodies.w.shape.extrusion.polygon: found a polygon without area, expected vertices not on one line");
+    CHECK(error("{ cylinder = { from = [0, 0, 0], to = [0, 0, 1], radius = 1 } }") == "");
+    // Along y the vertices are [x, z].
+    const ShapePtr prism = load(scene(triangle)).bodies[0].shape;
+    CHECK(prism->contains({0.7, 2.5, 0.2}));
+    CHECK_FALSE(prism->contains({0.7, 2.5, 0.4}));
+    CHECK(prism->bounds().min == Point{0, 2, 0});
+    CHECK(prism->bounds().max == Point{1, 3, 1});
 }
 
 TEST_CASE("edit distance", "[scene]") {

@@ -1,4 +1,4 @@
-#include "engine/output/moving_least_squares.hpp"
+#include "engine/geometry/moving_least_squares.hpp"
 
 #include <Eigen/Dense>
 
