@@ -1,0 +1,92 @@
+#!/usr/bin/python3
+"""Runs the standing wave at three spacings and compares its period and damping with linear theory."""
+import sys
+from pathlib import Path
+
+import numpy as np
+
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+
+from lib import convergence, style  # noqa: E402
+from lib.verdict import Verdict  # noqa: E402
+
+G, K, DEPTH, NU = 9.81, 2 * np.pi, 0.5, 0.002
+OMEGA = np.sqrt(G * K * np.tanh(K * DEPTH))
+DAMPING = 2 * NU * K ** 2  # of the amplitude, at any depth if the floor lets slip
+
+
+def mode(points):
+    """Velocity of the standing wave where its surface moves with 1 m/s."""
+    x, y = points.T
+    scale = 1 / np.sinh(K * DEPTH)
+    return scale * np.stack([-np.cosh(K * y) * np.sin(K * x), np.sinh(K * y) * np.cos(K * x)], axis=1)
+
+
+def amplitudes(run):
+    """Times [s], and the share of the wave in the velocities [m/s]: least squares over the particles of each frame."""
+    time, share = [], []
+    for frame in run.frames():
+        v, shape = np.asarray(frame["velocity"], dtype=float)[:, :2], mode(frame.points)
+        time.append(frame.time)
+        share.append((v * shape).sum() / (shape ** 2).sum())
+    return np.array(time), np.array(share)
+
+
+def fit(time, value):
+    """(ω, γ) of value = e^(−γt) (a cos ωt + b sin ωt), least squares by Gauss and Newton from the exact ω and γ."""
+    omega, gamma = OMEGA, DAMPING
+    for _ in range(20):
+        envelope, c, s = np.exp(-gamma * time), np.cos(omega * time), np.sin(omega * time)
+        a, b = np.linalg.lstsq(np.stack([envelope * c, envelope * s], axis=1), value, rcond=None)[0]
+        model = envelope * (a * c + b * s)
+        jacobian = np.stack([envelope * c, envelope * s, time * envelope * (b * c - a * s), -time * model], axis=1)
+        step = np.linalg.lstsq(jacobian, value - model, rcond=None)[0]
+        omega, gamma = omega + step[2], gamma + step[3]
+    return omega, gamma
+
+
+def measure(run):
+    time, share = amplitudes(run)
+    omega, gamma = fit(time, share)
+    exact = np.exp(-DAMPING * time) * np.cos(OMEGA * time) * share[0]
+    return {
+        "period": abs(OMEGA / omega - 1),
+        "damping": abs(gamma / DAMPING - 1),
+        "period / exact": OMEGA / omega,
+        "damping / exact": gamma / DAMPING,
+        "velocity of the wave, L2": np.sqrt(((share - exact) ** 2).sum() / (exact ** 2).sum()),
+    }
+
+
+def judge(study):
+    verdict = Verdict()
+    verdict.limit("period, finest: off by", 100 * study.finest["period"], "%", high=1)
+    verdict.limit("damping, finest: off by", 100 * study.finest["damping"], "%", high=10)
+    study.require_order(verdict, "velocity of the wave, L2")
+    return verdict
+
+
+def draw(study, path):
+    plt = style.use()
+    figure, axis = plt.subplots(figsize=(6.3, 3.2), layout="constrained")
+    for run, count, colour in zip(study.runs, study.counts, (style.ORANGE, style.SKY, style.BLUE)):
+        time, share = amplitudes(run)
+        axis.plot(time, share / share[0], color=colour, label=f"H/d = {count}")
+    axis.plot(time, np.exp(-DAMPING * time) * np.cos(OMEGA * time), color=style.BLACK, linestyle=(0, (4, 2)),
+              label="linear theory")
+    axis.set_xlabel("time [s]")
+    axis.set_ylabel("velocity of the wave / first")
+    axis.grid(color="0.92", linewidth=0.5)
+    axis.set_ylim(-1.1, 1.4)
+    axis.legend(ncol=4, loc="upper right", fontsize=8)
+    style.save(figure, path)
+
+
+CASE = convergence.Case(
+    "Standing wave", FOLDER, ("H/d", DEPTH), (20, 40, 80),
+    errors=("velocity of the wave, L2", "period", "damping"),
+    others=(("period / exact", 4), ("damping / exact", 3)), measure=measure, judge=judge, draw=draw)
+
+if __name__ == "__main__":
+    sys.exit(convergence.main(CASE))
