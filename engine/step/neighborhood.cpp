@@ -256,6 +256,10 @@ void Neighborhood<Dim>::list_coupling(const Grid& query, const Set& a, const Gri
 template <int Dim>
 void Neighborhood<Dim>::build_interface() {
     auto& elements = state_.elements;
+    // A total-Lagrangian solid keeps its order and its lists; this grid must follow it all the same.
+    if (effects_.has(Effect::total_lagrangian))
+        solid_grid_.build(state_.solid.position, 0, state_.solid.owned,
+                          cell_over_h_ * largest(state_.solid.smoothing_length), state_.solid.smoothing_length);
     state_.surface.update(state_.solid.position, solid_index_of_id_, elements);
     element_grid_.build(elements.position, 0, elements.owned, cell_over_h_ * state_.max_h);
     const bool mirrored = has_images();

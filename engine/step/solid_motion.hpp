@@ -29,9 +29,14 @@ void end_solid_motion(StepContext<Dim>& c) {
         solid.mean_velocity.set(i, (1 / c.plan.dt) * (after - before));
     }
     if (!c.has(Effect::moving_boundary)) return;
-    for (std::size_t i = 0; i < solid.owned; ++i)
-        solid.mean_acceleration.set(
-            i, (1 / c.plan.dt) * (solid.velocity[i] - solid.mean_acceleration[i]) + solid.interface_acceleration[i]);
+    // A total-Lagrangian solid is pushed by the fluid before and after its own steps, not in them.
+    const bool pushed = c.has(Effect::total_lagrangian);
+    for (std::size_t i = 0; i < solid.owned; ++i) {
+        const Vec<Dim> gained = solid.velocity[i] - solid.mean_acceleration[i];
+        solid.mean_acceleration.set(i, (1 / c.plan.dt) * gained);
+        if (pushed && !solid.clamped[i])
+            solid.mean_acceleration.set(i, solid.mean_acceleration[i] + solid.interface_acceleration[i]);
+    }
 }
 
 }  // namespace sluice
