@@ -13,8 +13,9 @@ template <int Dim>
 HypoelasticSolid<Dim>::HypoelasticSolid(StepContext<Dim>& context) : c_(context) {
     if (!c_.has(Effect::solid_stress)) return;
     const MediumMethod& m = c_.scene.method.solid;
-    terms_ = {m.artificial_viscosity, c_.state.rubber->eos.sound_speed, m.artificial_stress,
-              m.artificial_stress_exponent, c_.scene.method.smoothing_length};
+    terms_ = {c_.has(Effect::solid_viscosity) ? m.artificial_viscosity : 0.0, c_.state.rubber->eos.sound_speed,
+              c_.has(Effect::artificial_stress) ? m.artificial_stress : 0.0, m.artificial_stress_exponent,
+              c_.scene.method.smoothing_length};
     update_solid_stress(c_.state, terms_.artificial_stress);
 }
 
