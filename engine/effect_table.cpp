@@ -63,7 +63,8 @@ constexpr std::string_view wall_columns =
 const std::array<EffectRow, effect_count> table{{
     {{Effect::fluid_pressure, "fluid_pressure", "fluid: continuity, pressure, linear equation of state",
       "Antoci2007 eqs. 4, 8, 10", fluid_columns},
-     [](const Scene&, const SceneContent& c) { return needs_fluid(c); }},
+     [](const Scene&, const SceneContent& c) { return needs_fluid(c); },
+     {StepPhase::fluid_pass, StepPhase::density_pass}},
     {{Effect::artificial_viscosity, "artificial_viscosity", "fluid: artificial viscosity", "Antoci2007 eq. 12", ""},
      [](const Scene& s, const SceneContent& c) {
          if (c.fluid && c.viscous) return Decision{Verdict::impossible, "the fluid has a viscosity of its own"};
@@ -118,10 +119,12 @@ const std::array<EffectRow, effect_count> table{{
      }},
     {{Effect::solid_stress, "solid_stress", "solid: continuity, hypoelastic stress with Jaumann rate",
       "Antoci2007 eqs. 4, 5, 8, 11, 15", hypoelastic_columns},
-     [](const Scene&, const SceneContent& c) { return needs_hypoelastic(c); }},
+     [](const Scene&, const SceneContent& c) { return needs_hypoelastic(c); },
+     {StepPhase::solid_pass, StepPhase::gradient_pass}},
     {{Effect::total_lagrangian, "total_lagrangian", "solid: hyperelastic stress in the reference configuration",
       "Vignjevic2006; kernels/total_lagrangian_passes.hpp", total_lagrangian_columns},
-     [](const Scene&, const SceneContent& c) { return needs_total_lagrangian(c); }},
+     [](const Scene&, const SceneContent& c) { return needs_total_lagrangian(c); },
+     {StepPhase::solid_pass, StepPhase::gradient_pass}},
     {{Effect::hourglass_control, "hourglass_control", "solid: hourglass control", "Ganzenmueller2015; Silling2017", ""},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_total_lagrangian(c), "zeta", s.method.solid.hourglass_control, 0);
@@ -141,10 +144,12 @@ const std::array<EffectRow, effect_count> table{{
      }},
     {{Effect::interface_force, "interface_force", "coupling: interface force, reaction, kinematic condition",
       "Antoci2007 eqs. 24-30", element_columns},
-     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::interface_force, s.method); }},
+     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::interface_force, s.method); },
+     {StepPhase::interface_pass}},
     {{Effect::moving_boundary, "moving_boundary", "coupling: the solid's particles as moving boundary of the fluid",
       "Adami2012 eq. 25; Zhang2021; kernels/terms/moving_boundary.hpp", boundary_columns},
-     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::moving_boundary, s.method); }},
+     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::moving_boundary, s.method); },
+     {StepPhase::interface_pass}},
     {{Effect::mirror_wall, "mirror_wall", "walls: mirrored ghosts (slip)", "Antoci2007 sect. 4", ""},
      [](const Scene&, const SceneContent& c) {
          if (!c.mirror) return Decision{Verdict::impossible, "no mirror wall"};
@@ -157,7 +162,8 @@ const std::array<EffectRow, effect_count> table{{
          if (!c.fixed) return Decision{Verdict::impossible, "no fixed wall"};
          return c.fluid ? Decision{Verdict::required, "walls: " + c.fixed_walls}
                         : Decision{Verdict::impossible, "no fluid body to hold"};
-     }},
+     },
+     {StepPhase::wall_pass}},
     {{Effect::no_slip_wall, "no_slip_wall", "walls: no slip", "Adami2012 eqs. 22, 23; Morris1997",
       "wall.ghost_velocity wall.friction_volume"},
      [](const Scene&, const SceneContent& c) {

@@ -4,8 +4,10 @@
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/effects.hpp"
+#include "engine/step/phase_timer.hpp"
 
 namespace sluice {
 
@@ -34,6 +36,7 @@ struct Decision {
 struct EffectRow {
     EffectInfo info;
     Decision (*rule)(const Scene&, const SceneContent&);
+    std::vector<StepPhase> phases = {};  ///< of a step that run for this effect, if it is required
 };
 
 /// In the order of the enumeration.

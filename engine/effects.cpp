@@ -26,11 +26,12 @@ EffectChoice choose(const Scene& scene, const EffectRow& row, const SceneContent
     return {row.info, d.verdict == Verdict::used || d.verdict == Verdict::required, d.why};
 }
 
-/// Whether a list of words holds one.
-bool lists(std::string_view words, std::string_view phase, std::string_view column) {
-    for (std::size_t at = 0; at < words.size();) {
-        const std::size_t end = std::min(words.find(' ', at), words.size());
-        const std::string_view word = words.substr(at, end - at);
+}  // namespace
+
+bool EffectInfo::needs(std::string_view phase, std::string_view column) const {
+    for (std::size_t at = 0; at < fields.size();) {
+        const std::size_t end = std::min(fields.find(' ', at), fields.size());
+        const std::string_view word = fields.substr(at, end - at);
         if (word.size() == phase.size() + 1 + column.size() && word.starts_with(phase) && word.ends_with(column) &&
             word[phase.size()] == '.')
             return true;
@@ -38,8 +39,6 @@ bool lists(std::string_view words, std::string_view phase, std::string_view colu
     }
     return false;
 }
-
-}  // namespace
 
 Effects::Effects(const Scene& scene) {
     const SceneContent content = content_of(scene);
@@ -49,7 +48,7 @@ Effects::Effects(const Scene& scene) {
 
 bool Effects::needs(std::string_view phase, std::string_view column) const {
     for (const EffectChoice& choice : choices_)
-        if (choice.on && lists(choice.info.fields, phase, column)) return true;
+        if (choice.on && choice.info.needs(phase, column)) return true;
     return false;
 }
 

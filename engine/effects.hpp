@@ -50,6 +50,8 @@ struct EffectInfo {
     std::string_view name;      ///< in the field's standard terms
     std::string_view equation;  ///< source
     std::string_view fields;    ///< columns that it needs, as "phase.column phase.column"
+
+    bool needs(std::string_view phase, std::string_view column) const;
 };
 
 /// The decision for one effect in one scene.

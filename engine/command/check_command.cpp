@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -6,7 +7,9 @@
 #include <memory>
 
 #include "engine/command/commands.hpp"
+#include "engine/command/cost_table.hpp"
 #include "engine/command/scene_options.hpp"
+#include "engine/command/thread_settings.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/output/report.hpp"
 #include "engine/output/summary.hpp"
@@ -77,8 +80,14 @@ std::string effect_table(const Effects& effects) {
     return text;
 }
 
+struct CheckArguments {
+    SceneOptions scene;
+    bool cost = false;
+    int threads = 0;
+};
+
 template <int Dim>
-ExitCode check_scene(const Scene& scene) {
+std::string scene_text(const Scene& scene) {
     const Simulation<Dim> simulation(scene);
     const Probes<Dim> probes(simulation);
     std::string text = fmt::format("{}: {}\n\n", scene.file, scene.title);
@@ -89,7 +98,13 @@ ExitCode check_scene(const Scene& scene) {
     text += row("scene hash", text_hash(scene.source));
     const std::vector<std::string> columns = probes.columns();
     text += row("probe columns", columns.empty() ? "none" : fmt::format("{}", fmt::join(columns, ", ")));
-    print(text + "\n" + effect_table(simulation.effects()));
+    return text + "\n" + effect_table(simulation.effects());
+}
+
+template <int Dim>
+ExitCode check_scene(const Scene& scene, const CheckArguments& arguments) {
+    print(scene_text<Dim>(scene));
+    if (arguments.cost) print("\n" + cost_text(measure_cost<Dim>(scene), scene.output.end));
     return ExitCode::done;
 }
 
@@ -97,12 +112,20 @@ ExitCode check_scene(const Scene& scene) {
 
 void add_check_command(CLI::App& program, Deed& chosen) {
     CLI::App& command = *program.add_subcommand("check", "Check a scene and say what a run would do");
-    const auto options = std::make_shared<SceneOptions>();
-    options->add_to(command);
-    command.callback([options, &chosen] {
-        chosen = [options] {
-            const Scene scene = load_scene(options->file, options->overrides);
-            return scene.dimension == 2 ? check_scene<2>(scene) : check_scene<3>(scene);
+    const auto arguments = std::make_shared<CheckArguments>();
+    arguments->scene.add_to(command);
+    CLI::Option* cost = command.add_flag("--cost", arguments->cost,
+                                         "Measure for a second or more what the scene and each of its effects cost");
+    command.add_option("--threads", arguments->threads, "Number of threads of the run whose time is asked for [all]")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_threads))
+        ->needs(cost);
+    command.callback([arguments, &chosen] {
+        chosen = [arguments] {
+            if (arguments->cost) use_thread_settings(arguments->threads);
+            if (arguments->threads > 0) omp_set_num_threads(arguments->threads);
+            const Scene scene = load_scene(arguments->scene.file, arguments->scene.overrides);
+            return scene.dimension == 2 ? check_scene<2>(scene, *arguments) : check_scene<3>(scene, *arguments);
         };
     });
 }

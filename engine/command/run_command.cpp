@@ -14,9 +14,6 @@
 namespace sluice {
 namespace {
 
-/// More threads than any one machine has; a typing error, not a wish.
-constexpr int most_threads = 1024;
-
 struct RunArguments {
     SceneOptions scene;
     std::string directory;

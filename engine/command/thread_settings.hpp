@@ -3,6 +3,9 @@
 
 namespace sluice {
 
+/// More threads than any one machine has; a typing error, not a wish.
+inline constexpr int most_threads = 1024;
+
 /// Starts the program anew with settings of OpenMP's runtime for this number of threads (0 = all), unless the user has
 /// set some: the runtime reads them before main() runs. Returns if there is nothing to do, or if it cannot be done.
 ///

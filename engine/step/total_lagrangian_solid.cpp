@@ -15,8 +15,8 @@ TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context) : c_(
     const MediumMethod& m = c_.scene.method.solid;
     auto& solid = c_.state.solid;
     law_ = medium.law;
-    viscosity_ = {c_.has(Effect::solid_viscosity) ? m.artificial_viscosity : 0, medium.eos.sound_speed,
-                  medium.eos.density};
+    const double alpha = c_.has(Effect::solid_viscosity) ? m.artificial_viscosity : 0.0;
+    viscosity_ = {alpha, medium.eos.sound_speed, medium.eos.density};
     const double stiffness = c_.has(Effect::hourglass_control) ? m.hourglass_control * law_.young_modulus() : 0.0;
     elastic_correction<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, stiffness, c_.method,
                             solid.gradient_correction, solid.hourglass_stiffness);

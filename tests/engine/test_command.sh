@@ -52,6 +52,12 @@ expect 2 "sluice: error: " "$program" check "$gate" --set method.spacing=-1
 expect 0 "gate" "$program" check "$gate"
 expect 0 "the smallest" "$program" check "$gate"
 expect 0 "tip.x [m]" "$program" check "$gate"
+expect 2 "--threads requires --cost" "$program" check "$gate" --threads 2
+expect 0 "fluid: velocity filter" "$program" check "$gate" --cost --threads 1
+holds "cannot be left out" out
+holds "cannot be on" out
+holds "the whole scene:    about " out
+holds " on 1 thread, output not counted" out
 [ ! -e results ] || fail "check leaves a folder"
 
 expect 0 "particle-steps/s" "$program" run "$gate"

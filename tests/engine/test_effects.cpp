@@ -105,4 +105,63 @@ clamp = { box = { min = [0.0, 0.05], max = [0.01, 0.06] } }
     REQUIRE(apart < 1e-3 * moved);  // 1e-7 per pair, grown over 300 steps
 }
 
+namespace {
+
+/// Every coordinate and velocity after some steps, in the order of the particles' ids.
+std::vector<double> motion_of(const std::string& text, const std::vector<std::string>& overrides) {
+    Simulation<2> simulation(scene_text::load(text, overrides));
+    advance(simulation, 20);
+    std::vector<double> values;
+    const auto add = [&](const auto& phase) {
+        const std::size_t first = values.size();
+        values.resize(first + 4 * phase.owned);
+        for (std::size_t i = 0; i < phase.owned; ++i)
+            for (std::size_t k = 0; k < 2; ++k) {
+                values[first + 4 * phase.id[i] + k] = phase.position[i][k];
+                values[first + 4 * phase.id[i] + 2 + k] = phase.velocity[i][k];
+            }
+    };
+    add(simulation.fluid());
+    add(simulation.solid());
+    return values;
+}
+
+struct OffSwitch {
+    const char* effect;
+    const char* constant;              ///< what takes the effect out of the scene otherwise
+    std::vector<std::string> present;  ///< what it needs to act
+};
+
+}  // namespace
+
+TEST_CASE("An effect switched off is the same, to the bit, as one whose constant takes it out") {
+    const OffSwitch off = GENERATE(values<OffSwitch>({
+        {"artificial_viscosity", "method.fluid.artificial_viscosity=0", {"method.fluid.artificial_viscosity=0.1"}},
+        {"acoustic_damping", "method.fluid.acoustic_damping=0", {"method.fluid.acoustic_damping=0.5"}},
+        {"density_diffusion", "method.fluid.density_diffusion=none", {"method.fluid.density_diffusion=antuono"}},
+        {"velocity_filter", "method.fluid.velocity_filter=1", {}},
+        {"particle_shifting", "method.fluid.particle_shifting=0", {"method.fluid.particle_shifting=2"}},
+        {"laminar_viscosity", "materials.water.viscosity=0", {"materials.water.viscosity=0.1"}},
+        {"solid_viscosity", "method.solid.artificial_viscosity=0", {}},
+        {"solid_viscosity",
+         "method.solid.artificial_viscosity=0",
+         {"materials.rubber.model=neo-hookean", "method.solid.artificial_viscosity=1"}},
+        {"hourglass_control", "method.solid.hourglass_control=0", {"materials.rubber.model=neo-hookean"}},
+        {"artificial_stress", "method.solid.artificial_stress=0", {}},
+        {"solid_filter", "method.solid.velocity_filter=1", {"method.solid.velocity_filter=0.9"}},
+        {"gravity", "gravity=[0.0,0.0]", {}},
+        {"adaptive_step", "method.step_size=fixed", {"method.step_size=adaptive", "method.time_stepping=multi-rate"}},
+        {"solid_substeps", "method.time_stepping=single-rate", {"method.time_stepping=multi-rate"}},
+    }));
+    INFO(off.effect);
+    // Everything moves and shears, so that no term vanishes by itself.
+    const std::string text = "gravity = [0.0, -9.81]\n" + preamble(0.002) + water +
+                             "velocity = [\"10*y\", \"-0.2+5*x\"]\n" + block + "velocity = [\"10*y\", \"0.2-5*x\"]\n";
+    std::vector<std::string> with = off.present, without = off.present, switched = off.present;
+    without.emplace_back(off.constant);
+    switched.push_back(std::string("effects.") + off.effect + "=off");
+    REQUIRE(motion_of(text, switched) == motion_of(text, without));
+    REQUIRE(motion_of(text, switched) != motion_of(text, with));
+}
+
 }  // namespace sluice

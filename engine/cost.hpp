@@ -1,0 +1,75 @@
+// What a scene and each of its effects cost, measured.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/effects.hpp"
+#include "engine/step/phase_timer.hpp"
+
+namespace sluice {
+
+/// How an effect's cost was found.
+enum class CostBasis {
+    switched,    ///< timed against the same scene with this effect the other way
+    phases,      ///< the scene cannot do without it: the phases of the step that run for it, and all that runs in them
+    shared,      ///< nor can it here, but it runs within phases of others
+    impossible,  ///< it has nothing to act on
+    failed       ///< could be switched, but was not measured: `note` says why
+};
+
+/// Memory of an effect's fields.
+struct FieldBytes {
+    std::string_view phase;  ///< "fluid", "solid", "wall", "elements", "boundary"
+    std::size_t bytes = 0;   ///< per particle of that phase
+};
+
+struct EffectCost {
+    EffectChoice choice;
+    CostBasis basis = CostBasis::impossible;
+    double share = 0;             ///< part of the scene's CPU time that it takes while on
+    double change = 0;            ///< switched: of the CPU time per simulated second, relative
+    std::optional<double> error;  ///< standard error of `change`; none = too few comparisons to tell
+    double rate_change = 0;       ///< switched: of the particle-steps per CPU second [1/s]
+    double step_ratio = 1;        ///< switched: how many times as long a time step becomes
+    std::size_t rounds = 0;       ///< comparisons made
+    std::string note;             ///< failed: why
+    std::vector<FieldBytes> memory;
+};
+
+struct SceneCost {
+    std::uint64_t steps = 0;                               ///< of the scene alone, timed on one thread
+    double cpu_per_step = 0;                               ///< [s]
+    double cpu_per_second = 0;                             ///< CPU time per simulated second
+    double rate = 0;                                       ///< particle-steps per CPU second [1/s]
+    std::array<double, step_phase_names.size()> phases{};  ///< their shares of a step
+    int threads = 1;
+    double wall_per_second = 0;       ///< wall time per simulated second with so many threads
+    double seconds = 0;               ///< wall time that all this took
+    std::vector<EffectCost> effects;  ///< in the order of the table, each of it
+};
+
+/// How long the measuring may take.
+struct CostEffort {
+    double seconds = 1;  ///< CPU time to be about used; exceeded by scenes whose steps are long
+    double limit = 60;   ///< wall time after which no further effect is measured [s]
+};
+
+/// The cost of each effect is measured, not guessed: two copies of the scene, in one of which the effect is switched,
+/// are advanced in turns, a few steps at a time, on one thread and by the process's CPU time. The ratio of the CPU time
+/// per simulated second is taken for each pair of turns, as effects may change the time step; the median of the ratios
+/// counts. Both copies start as the scene does, so what an effect costs later is not seen.
+///
+/// Throws SceneError, NumericalError as a run does.
+template <int Dim>
+SceneCost measure_cost(const Scene& scene, const CostEffort& effort = {});
+
+/// Bytes per particle of the columns that an effect needs.
+template <int Dim>
+std::vector<FieldBytes> field_bytes(const EffectInfo& effect);
+
+}  // namespace sluice
