@@ -38,7 +38,7 @@ void use_isa(std::string_view name);
      : (isa) == ::sluice::Isa::avx2 ? &avx2::__VA_ARGS__   \
                                     : &baseline::__VA_ARGS__)
 #else
-#define SLUICE_OF_ISA(isa, ...) (static_cast<void>(isa), &baseline::__VA_ARGS__)
+#define SLUICE_OF_ISA(isa, ...) &baseline::__VA_ARGS__
 #endif
 
 }  // namespace sluice
