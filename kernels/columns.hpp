@@ -25,6 +25,13 @@ struct ParticleView {
     Columns<sym_components<Dim>> artificial_stress{};  ///< R of eq. (14)
     Columns<Dim> area_normal{};                        ///< n ΔΓ of interface elements [m²; m in 2D]
     Columns<Dim> shared_force{};                       ///< f/ΣVW of interface elements [N/m^Dim]
+
+    // Of elastic particles, whose `position` is that of the reference configuration (total_lagrangian_passes.hpp).
+    Columns<Dim> current_position{};                     ///< x [m]
+    Columns<Dim * Dim> deformation{};                    ///< F, row by row
+    Columns<Dim * Dim> corrected_stress{};               ///< P L − k F, row by row [Pa]
+    const double* hourglass_stiffness = nullptr;         ///< k [Pa]
+    Columns<sym_components<Dim>> gradient_correction{};  ///< L; read particle by particle, not by pairs
 };
 
 /// Columns of a tuple field as raw pointers.
@@ -48,15 +55,19 @@ template <std::size_t N>
 namespace column {
 inline constexpr unsigned velocity = 1, mass = 2, volume = 4, density = 8, pressure = 16, pressure_over_rho2 = 32,
                           stress_over_rho2 = 64, artificial_stress = 128, area_normal = 256, shared_force = 512,
-                          all = 1023;
+                          current_position = 1024, deformation = 2048, corrected_stress = 4096,
+                          hourglass_stiffness = 8192, all = 16383;
 }
 
 /// Where the gathered columns stand: position, smoothing length, then those of `Reads` in the order of their bits.
 template <int Dim, unsigned Reads>
 struct Slots {
     static constexpr int width(unsigned c) {
-        if (c == column::velocity || c == column::area_normal || c == column::shared_force) return Dim;
-        return c == column::stress_over_rho2 || c == column::artificial_stress ? sym_components<Dim> : 1;
+        constexpr unsigned vectors =
+            column::velocity | column::area_normal | column::shared_force | column::current_position;
+        if (c & vectors) return Dim;
+        if (c & (column::deformation | column::corrected_stress)) return Dim * Dim;
+        return c & (column::stress_over_rho2 | column::artificial_stress) ? sym_components<Dim> : 1;
     }
     static constexpr int smoothing_length = Dim;
     /// First slot of a column (one bit); for column::all + 1 the number of slots.
@@ -89,6 +100,10 @@ struct Slots {
         if (Reads & column::artificial_stress) put(of(column::artificial_stress), view.artificial_stress);
         if (Reads & column::area_normal) put(of(column::area_normal), view.area_normal);
         if (Reads & column::shared_force) put(of(column::shared_force), view.shared_force);
+        if (Reads & column::current_position) put(of(column::current_position), view.current_position);
+        if (Reads & column::deformation) put(of(column::deformation), view.deformation);
+        if (Reads & column::corrected_stress) put(of(column::corrected_stress), view.corrected_stress);
+        put_one(column::hourglass_stiffness, view.hourglass_stiffness);
         return p;
     }
 };

@@ -19,6 +19,17 @@ template <int Dim, class Real>
                  s[4] * v[0] + s[5] * v[1] + s[2] * v[2]}};
 }
 
+/// The product of a tensor, stored row by row, with a vector.
+template <int Dim, class Real>
+[[gnu::always_inline]] inline Vec<Dim, Real> full_times(const Vec<Dim * Dim, Real>& t, const Vec<Dim, Real>& v) {
+    Vec<Dim, Real> r;
+    unroll<Dim>([&](int i) __attribute__((always_inline)) {
+        r[i] = t[i * Dim] * v[0];
+        unroll<Dim - 1>([&](int j) __attribute__((always_inline)) { r[i] += t[i * Dim + j + 1] * v[j + 1]; });
+    });
+    return r;
+}
+
 /// Whose smoothing length a pass takes: the pair's mean, or one side's where the other has none.
 enum class Length { mean, of_i, of_j };
 
@@ -34,6 +45,7 @@ struct Pair {
     using Real = typename SideI::Real;
     using Vector = Vec<Dim, Real>;
     using Tensor = Vec<sym_components<Dim>, Real>;
+    using FullTensor = Vec<Dim * Dim, Real>;
 #define SLUICE_GETTER [[gnu::always_inline]]
 
     const Smoothing<Dim>& smoothing;
@@ -79,6 +91,16 @@ struct Pair {
     SLUICE_GETTER Tensor artificial_stress_j() const { return side_j.template tuple<column::artificial_stress>(); }
     SLUICE_GETTER Vector area_normal_j() const { return side_j.template tuple<column::area_normal>(); }
     SLUICE_GETTER Vector shared_force_j() const { return side_j.template tuple<column::shared_force>(); }
+
+    /// x_i − x_j where the particles are now; x_ij is then of the reference configuration.
+    SLUICE_GETTER Vector current_x_ij() const {
+        return side_i.template tuple<column::current_position>() - side_j.template tuple<column::current_position>();
+    }
+    SLUICE_GETTER FullTensor deformation_i() const { return side_i.template tuple<column::deformation>(); }
+    SLUICE_GETTER FullTensor corrected_stress_i() const { return side_i.template tuple<column::corrected_stress>(); }
+    SLUICE_GETTER FullTensor corrected_stress_j() const { return side_j.template tuple<column::corrected_stress>(); }
+    SLUICE_GETTER Real hourglass_stiffness_i() const { return side_i.template scalar<column::hourglass_stiffness>(); }
+    SLUICE_GETTER Real hourglass_stiffness_j() const { return side_j.template scalar<column::hourglass_stiffness>(); }
 #undef SLUICE_GETTER
 };
 
