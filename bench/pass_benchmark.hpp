@@ -20,12 +20,13 @@ template <int Dim>
 struct Output {
     VectorField<Dim> vectors;
     ScalarField scalars;
-    TupleField<Dim * Dim> tensors;
+    TupleField<Dim * Dim> tensors, more_tensors;
     BlockTotals<Dim> totals;
 
     explicit Output(std::size_t n) : scalars(n) {
         vectors.resize(n);
         tensors.resize(n);
+        more_tensors.resize(n);
     }
 };
 

@@ -7,6 +7,8 @@
 #include "kernels/interface_loops.hpp"
 #include "kernels/solid_loops.hpp"
 #include "kernels/solid_passes.hpp"
+#include "kernels/total_lagrangian_loops.hpp"
+#include "kernels/total_lagrangian_passes.hpp"
 #include "kernels/wall_loops.hpp"
 #include "kernels/wall_passes.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 // Constants of the elastic gate.
 constexpr FluidTerms fluid_terms{1, 30};
 constexpr SolidTerms solid_terms{1, 134.8, 0.3, 4, 1.5};
+constexpr ElasticViscosity elastic_viscosity{1, 134.8, 1100};
 constexpr double filter_theta = 0.92;
 
 template <class Sample>
@@ -61,6 +64,27 @@ Rows<Cube<Dim>> solid_rows() {
             pass_row<SolidRateSums<Dim>>("solid_rates", all, 1 + Dim * Dim, [](const S& s, Precision p, Out& out) {
                 solid_rates<Dim>(s.medium.view(), s.list, p, out.scalars, out.tensors);
             })};
+}
+
+template <int Dim>
+Rows<Cube<Dim>> elastic_rows() {
+    using S = Cube<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> all{&S::medium, &S::medium, &S::list};
+    return {pass_row<DeformationSums<Dim>>(
+                "elastic_deformation", all, 2 * Dim * Dim,
+                [](const S& s, Precision, Out& out) {
+                    const auto rubber = Hyperelastic::with(ElasticLaw::neo_hookean, 12e6, 0.4);
+                    elastic_deformation<Dim>(s.medium.view(), s.list, rubber, {}, out.tensors, out.more_tensors);
+                }),
+            pass_row<ElasticMomentum<Dim>>("elastic_momentum", all, Dim,
+                                           [](const S& s, Precision, Out& out) {
+                                               elastic_momentum<Dim>(s.medium.view(), s.list, {}, {}, out.vectors);
+                                           }),
+            pass_row<ElasticMomentum<Dim, ReferenceViscosity>>(
+                "elastic_viscous", all, Dim, [](const S& s, Precision, Out& out) {
+                    elastic_momentum<Dim>(s.medium.view(), s.list, elastic_viscosity, {}, out.vectors);
+                })};
 }
 
 template <int Dim>
@@ -132,6 +156,7 @@ template <int Dim>
 void register_dimension() {
     const auto fluid = fluid_rows<Dim>();
     const auto solid = solid_rows<Dim>();
+    const auto elastic = elastic_rows<Dim>();
     const auto wall = wall_rows<Dim>();
     const auto interface = interface_rows<Dim>();
     for (const int h : {120, 150})
@@ -139,7 +164,8 @@ void register_dimension() {
             register_rows(fluid, both, h, n);
             register_rows(solid, both, h, n);
             register_rows(wall, both, h, n);
-            register_rows(interface, {Precision::full}, h, n);  // they know no other
+            register_rows(elastic, {Precision::full}, h, n);  // they know no other
+            register_rows(interface, {Precision::full}, h, n);
         }
 }
 
