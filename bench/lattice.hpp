@@ -22,8 +22,9 @@ inline constexpr double cell_size = (Dim == 2 ? 8 : 4) * spacing;
 template <int Dim>
 struct Medium {
     VectorField<Dim> position, velocity, area_normal, shared_force, density_gradient;
-    ScalarField h, mass, volume, density, pressure, pressure_over_rho2;
-    SymTensorField<Dim> stress, artificial;
+    ScalarField h, mass, volume, density, pressure, pressure_over_rho2, hourglass_stiffness;
+    SymTensorField<Dim> stress, artificial, gradient_correction;
+    TupleField<Dim * Dim> deformation, corrected_stress;
     ClusterGrid<Dim> grid;
 
     Medium(const VectorField<Dim>& places, double h_over_d) {
@@ -42,6 +43,12 @@ struct Medium {
         density_gradient.resize(n);
         stress.resize(n);
         artificial.resize(n);
+        deformation.resize(n);
+        corrected_stress.resize(n);
+        // An elastic body that is not deformed, L = I: F = I, but for the lattice's disorder.
+        gradient_correction.resize(n);
+        for (std::size_t k = 0; k < Dim; ++k) gradient_correction.c[k].assign(n, 1);
+        hourglass_stiffness.assign(n, 1e6);
         volume.assign(n, std::pow(spacing, Dim));
         mass.assign(n, 1000 * volume[0]);
         density.assign(n, 1000);
@@ -67,6 +74,11 @@ struct Medium {
         v.area_normal = columns_of(area_normal);
         v.shared_force = columns_of(shared_force);
         v.density_gradient = columns_of(density_gradient);
+        v.current_position = v.position;
+        v.deformation = columns_of(deformation);
+        v.corrected_stress = columns_of(corrected_stress);
+        v.hourglass_stiffness = hourglass_stiffness.data();
+        v.gradient_correction = columns_of(gradient_correction);
         return v;
     }
 };

@@ -21,7 +21,7 @@ template <int Dim>
 struct Output {
     VectorField<Dim> vectors;
     ScalarField scalars;
-    TupleField<Dim * Dim> tensors;
+    TupleField<Dim * Dim> tensors, more_tensors;
     BlockTotals<Dim> totals;
     ShiftFields<Dim> shift;
 
@@ -29,6 +29,7 @@ struct Output {
         vectors.resize(n);
         tensors.resize(n);
         shift.reset(n);
+        more_tensors.resize(n);
     }
 };
 

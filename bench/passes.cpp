@@ -11,6 +11,8 @@
 #include "kernels/shift_passes.hpp"
 #include "kernels/solid_loops.hpp"
 #include "kernels/solid_passes.hpp"
+#include "kernels/total_lagrangian_loops.hpp"
+#include "kernels/total_lagrangian_passes.hpp"
 #include "kernels/wall_loops.hpp"
 #include "kernels/wall_passes.hpp"
 
@@ -22,6 +24,7 @@ constexpr FluidTerms fluid_terms{1, 30};
 constexpr FluidTerms laminar_terms{0, 0, Viscosity::monaghan_gingold, 1e-6},
     morris_terms{0, 0, Viscosity::morris, 1e-6};
 constexpr SolidTerms solid_terms{1, 134.8, 0.3, 4, 1.5};
+constexpr ElasticViscosity elastic_viscosity{1, 134.8, 1100};
 constexpr double filter_theta = 0.92;
 constexpr ShiftTerms shift_terms{1.5};
 
@@ -126,6 +129,27 @@ Rows<Cube<Dim>> solid_rows() {
 }
 
 template <int Dim>
+Rows<Cube<Dim>> elastic_rows() {
+    using S = Cube<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> all{&S::medium, &S::medium, &S::list};
+    return {pass_row<DeformationSums<Dim>>(
+                "elastic_deformation", all, 2 * Dim * Dim,
+                [](const S& s, Precision, Out& out) {
+                    const auto rubber = Hyperelastic::with(ElasticLaw::neo_hookean, 12e6, 0.4);
+                    elastic_deformation<Dim>(s.medium.view(), s.list, rubber, {}, out.tensors, out.more_tensors);
+                }),
+            pass_row<ElasticMomentum<Dim>>("elastic_momentum", all, Dim,
+                                           [](const S& s, Precision, Out& out) {
+                                               elastic_momentum<Dim>(s.medium.view(), s.list, {}, {}, out.vectors);
+                                           }),
+            pass_row<ElasticMomentum<Dim, ReferenceViscosity>>(
+                "elastic_viscous", all, Dim, [](const S& s, Precision, Out& out) {
+                    elastic_momentum<Dim>(s.medium.view(), s.list, elastic_viscosity, {}, out.vectors);
+                })};
+}
+
+template <int Dim>
 Rows<Boundary<Dim>> wall_rows() {
     using S = Boundary<Dim>;
     using Out = Output<Dim>;
@@ -197,6 +221,7 @@ void register_dimension() {
     const auto shift = shift_rows<Dim>();
     const auto boundary_shift = boundary_shift_rows<Dim>();
     const auto solid = solid_rows<Dim>();
+    const auto elastic = elastic_rows<Dim>();
     const auto wall = wall_rows<Dim>();
     const auto interface = interface_rows<Dim>();
     for (const int h : {120, 150})
@@ -208,6 +233,7 @@ void register_dimension() {
             register_rows(wall, both, h, n);
             // These know no other.
             register_rows(boundary_shift, {Precision::full}, h, n);
+            register_rows(elastic, {Precision::full}, h, n);  // they know no other
             register_rows(interface, {Precision::full}, h, n);
         }
 }

@@ -3,6 +3,7 @@
 // In 2D the strain is plane: F_zz = 1, and the sums over components lose nothing by leaving z out.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/tensor.hpp"
@@ -36,7 +37,7 @@ double volume_change(const Tensor<Dim>& h) {
 
 enum class ElasticLaw { saint_venant_kirchhoff, neo_hookean };
 
-/// An isotropic elastic material [Bonet & Wood 2008, sections 6.4.3 and 6.5.1]. Both laws are Hooke's at small strains.
+/// An isotropic elastic material [Bonet & Wood 2008, chapter 6]. Both laws are Hooke's at small strains.
 ///
 /// St. Venant-Kirchhoff, with E = (FᵀF − I)/2, for small strains and any rotation: it softens under compression and
 /// does not resist being turned inside out.
@@ -50,7 +51,7 @@ struct Hyperelastic {
     ElasticLaw law = ElasticLaw::saint_venant_kirchhoff;
     double lambda = 0, mu = 0;  ///< Lamé's constants [Pa]
 
-    /// J0: more compression than rubber bears, with room for the g'' of J0, a dozen times that of J = 1.
+    /// J0: more compression than rubber bears in water. g'' is already some twenty times that of J = 1 there.
     static constexpr double expansion_volume = 0.3;
 
     /// From Young's modulus [Pa] and Poisson's ratio, −1 < ν < ½.
@@ -66,10 +67,10 @@ struct Hyperelastic {
     /// ψ(F) per reference volume [J/m³]
     template <int Dim>
     double energy_density(const Tensor<Dim>& f) const {
-        const Tensor<Dim> h = f - Tensor<Dim>::Identity();
+        const Tensor<Dim> h = f - Tensor<Dim>::Identity(), e = green_strain<Dim>(h);
+        // ln J from the strain too, not from J: ψ ~ |E|² then has the strain's digits, whatever the rotation.
         if (law == ElasticLaw::neo_hookean)
-            return mu * (h.trace() + 0.5 * h.squaredNorm()) + volume_energy(volume_change<Dim>(h));
-        const Tensor<Dim> e = green_strain<Dim>(h);
+            return mu * e.trace() + volume_energy(volume_change<Dim>(h), 0.5 * std::log1p(volume_change<Dim>(2 * e)));
         return 0.5 * lambda * e.trace() * e.trace() + mu * e.squaredNorm();
     }
     /// P = ∂ψ/∂F [Pa]
@@ -87,13 +88,13 @@ struct Hyperelastic {
     static Tensor<Dim> green_strain(const Tensor<Dim>& h) {
         return 0.5 * (h + h.transpose() + h.transpose() * h);
     }
-    /// g(J), of J − 1.
-    double volume_energy(double change) const {
+    /// g(J), of J − 1 and ln J.
+    double volume_energy(double change, double log_j) const {
         constexpr double lowest = expansion_volume - 1;
-        const double log_j = std::log1p(std::max(change, lowest)), g = (0.5 * lambda * log_j - mu) * log_j;
-        if (change >= lowest) return g;
-        const double below = change - lowest;
-        return g + (volume_stress(lowest) + 0.5 * expansion_stiffness() * below) * below;
+        const double below = std::min(change - lowest, 0.0);
+        if (below < 0) log_j = std::log(expansion_volume);
+        return (0.5 * lambda * log_j - mu) * log_j +
+               (volume_stress(lowest) + 0.5 * expansion_stiffness() * below) * below;
     }
     /// g'(J), of J − 1.
     double volume_stress(double change) const {
@@ -114,7 +115,7 @@ Tensor<3> cauchy_stress(const Hyperelastic& law, const Tensor<Dim>& f) {
     Tensor<3> full = Tensor<3>::Identity();
     full.template topLeftCorner<Dim, Dim>() = f;
     const double j = full.determinant();
-    if (!(j > 0)) return Tensor<3>::Zero();
+    if (j <= 0) return Tensor<3>::Zero();
     return law.first_piola_stress<3>(full) * full.transpose() / j;
 }
 
