@@ -52,6 +52,9 @@ expect 2 "sluice: error: " "$program" check "$gate" --set method.spacing=-1
 expect 0 "gate" "$program" check "$gate"
 expect 0 "the smallest" "$program" check "$gate"
 expect 0 "tip.x [m]" "$program" check "$gate"
+expect 0 "fluid: velocity filter" "$program" check "$gate"
+expect 0 "switched off; theta" "$program" check "$gate" --set effects.velocity_filter=off
+expect 2 'effects.clamp: found "off", but the scene cannot do without' "$program" check "$gate" --set effects.clamp=off
 [ ! -e results ] || fail "check leaves a folder"
 
 expect 0 "particle-steps/s" "$program" run "$gate"
