@@ -105,17 +105,17 @@ const std::array<EffectRow, effect_count> table{{
              return Decision{Verdict::impossible, "no density diffusion by Antuono et al."};
          return Decision{Verdict::required, "density diffusion by Antuono et al."};
      }},
-    {{Effect::velocity_filter, "velocity_filter", "fluid: velocity filter", "Antoci2007 eq. 16",
-      "fluid.velocity_correction"},
-     [](const Scene& s, const SceneContent& c) {
-         return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1);
-     }},
     {{Effect::particle_shifting, "particle_shifting", "fluid: particle shifting, free surface detected",
       "Lind2012; Skillen2013; Lee2008",
       "fluid.concentration_gradient fluid.surface_normal fluid.position_divergence fluid.concentration "
       "fluid.surface_volume"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_fluid(c), "A", s.method.fluid.shifting, 0);
+     }},
+    {{Effect::velocity_filter, "velocity_filter", "fluid: velocity filter", "Antoci2007 eq. 16",
+      "fluid.velocity_correction"},
+     [](const Scene& s, const SceneContent& c) {
+         return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1);
      }},
     {{Effect::solid_stress, "solid_stress", "solid: continuity, hypoelastic stress with Jaumann rate",
       "Antoci2007 eqs. 4, 5, 8, 11, 15", hypoelastic_columns},

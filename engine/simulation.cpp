@@ -45,7 +45,8 @@ struct Simulation<Dim>::Impl {
     /// Velocities at n ± 1/2, everything else at n. Rates of density are taken half-way, at the positions that belong
     /// to the velocities; forces are those of the end of the last step.
     ///   staggered Euler [Antoci2007]: between steps velocities stand at n − 1/2
-    ///   kick-drift-kick: they are brought on to n, where viscous forces of the next step and the output see them
+    ///   kick-drift-kick: they are brought on to n, where the output sees them
+    /// Viscous forces are those of the velocities at n − 1/2 in either, of first order in Δt.
     ///
     /// With more than one sub-step the solid goes through the step at its own rate under the fluid's force of
     /// time n; the fluid's continuity then sees the solid's mean velocity over the step, at its place half-way. So both

@@ -58,6 +58,9 @@ holds "cannot be left out" out
 holds "cannot be on" out
 holds "the whole scene:    about " out
 holds " on one thread, without output" out
+expect 0 "fluid: velocity filter" "$program" check "$gate"
+expect 0 "switched off; theta" "$program" check "$gate" --set effects.velocity_filter=off
+expect 2 'effects.clamp: found "off", but the scene cannot do without' "$program" check "$gate" --set effects.clamp=off
 [ ! -e results ] || fail "check leaves a folder"
 
 expect 0 "particle-steps/s" "$program" run "$gate"

@@ -29,7 +29,8 @@ normal = [1.0, 0.0]
 )toml" + more;
 }
 
-const std::string method_of_rest = "method.fluid.acoustic_damping=0.5";
+/// Without any dissipation the layer at a moving boundary grows rough within some 500 steps, until it boils.
+const std::string method_of_rest = "method.fluid.density_diffusion=fourtakas";
 
 }  // namespace
 
@@ -50,7 +51,8 @@ TEST_CASE("A clamped solid bears the hydrostatic load, at once and after a while
     }
     CAPTURE(mean / expected);
     CHECK(mean == Approx(expected).epsilon(0.05));  // the water has settled by a per cent or two at its surface
-    CHECK(std::sqrt(2 * kinetic_energy_per_mass(s)) < 0.03);
+    // Far below sqrt(gH) = 1 m/s; the interface's force leaves more motion than the moving boundary.
+    CHECK(std::sqrt(2 * kinetic_energy_per_mass(s)) < 0.08);
 }
 
 TEST_CASE("Clamped particles are not accelerated, whatever presses on them") {
@@ -81,7 +83,8 @@ TEST_CASE("The fluid sees a free solid's acceleration: elastic, gravity's and it
 
 TEST_CASE("Fluid that falls with a solid feels nothing of it") {
     const std::string model = GENERATE("hypoelastic", "st-venant-kirchhoff");
-    Simulation<2> s(scene_text::load("gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
+    Simulation<2> s(scene_text::load(
+        "gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
 [bodies.water]
 material = "water"
 shape = { box = { min = [0.0, 0.0], max = [0.03, 0.03] } }
@@ -89,9 +92,9 @@ shape = { box = { min = [0.0, 0.0], max = [0.03, 0.03] } }
 material = "rubber"
 shape = { box = { min = [0.0, -0.01], max = [0.03, 0.0] } }
 )toml",
-                                     collisions::coupled({"materials.rubber.model=" + model})));
-    advance(s, 100);
-    // At the start the block is not yet known to fall, so that the water leans on it for one step.
+        {"method.coupling=moving-boundary", "materials.rubber.model=" + model, "method.solid.artificial_viscosity=0"}));
+    advance(s, 20);
+    // At the start the block is not yet known to fall, so that the water leans on it for one step; that fades.
     const double weight = 1000 * 9.81 * 0.03 * 0.03;
     CHECK(norm(s.force_on(1)) < 0.02 * weight);
 }
@@ -108,7 +111,7 @@ TEST_CASE("A light solid in heavy water stays bounded") {
         highest = std::max(highest, s.energy().total());
     }
     CAPTURE(highest / start);
-    CHECK(highest < 1.02 * start);
+    CHECK(highest < 1.05 * start);  // the force is extrapolated with the last step's acceleration
 }
 
 }  // namespace sluice

@@ -125,8 +125,8 @@ TEST_CASE("Unknown effects and words are refused with the nearest that would be 
     CHECK(unknown.ends_with("; did you mean \"velocity_filter\"?"));
     for (const EffectRow& row : effect_table())
         CHECK(unknown.find("\"" + std::string(row.info.key) + "\"") != std::string::npos);
-    CHECK(error("velocity_filter = \"of\"").starts_with(line + ": effects.velocity_filter: "));
-    CHECK(error("velocity_filter = \"of\"").find("did you mean \"off\"?") != std::string::npos);
+    CHECK(error("velocity_filter = \"offf\"").starts_with(line + ": effects.velocity_filter: "));
+    CHECK(error("velocity_filter = \"offf\"").find("did you mean \"off\"?") != std::string::npos);
     CHECK(error("velocity_filter = false").starts_with(line + ": effects.velocity_filter: found false, expected"));
 }
 

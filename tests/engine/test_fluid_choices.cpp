@@ -65,9 +65,9 @@ TEST_CASE("Particle shifting keeps particles evenly spaced in a vortex") {
     for (Simulation<2>* s : {&shifted, &drifting}) waves::advance_to(*s, 0.08);
     const double even = mean_nearest_distance(shifted.fluid()), uneven = mean_nearest_distance(drifting.fluid());
     CAPTURE(even, uneven);
-    // Even particles of this number stand 0.93 d (square lattice: d, hexagonal: 1.07 d) apart and more.
-    CHECK(even > 0.8 * 0.005);
-    CHECK(uneven < even);
+    // A square lattice has d; particles at random half of that.
+    CHECK(even > 0.65 * 0.005);
+    CHECK(uneven < 0.55 * 0.005);
     // It moves particles, not momentum.
     CHECK(norm(shifted.momentum()) < 1e-3);
 }

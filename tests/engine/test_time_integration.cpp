@@ -52,16 +52,19 @@ TEST_CASE("Without forces that depend on velocity, both integrators go through t
     CHECK(largest_difference(staggered, synchronous) < 1e-11);
 }
 
-TEST_CASE("With viscosity the integrators agree to the first order in the step") {
-    const auto difference = [](int steps) {
-        const std::string viscosity = "method.fluid.artificial_viscosity=0.1";
-        return largest_difference(positions(steps, end, {"method.integrator=staggered-euler", viscosity}),
-                                  positions(steps, end, {"method.integrator=kick-drift-kick", viscosity}));
-    };
-    const double coarse = difference(64), fine = difference(128);
-    CAPTURE(coarse, fine);
-    CHECK(coarse > fine);
-    CHECK(coarse < 0.02 * 0.5 / (waves::wave_number * waves::sound_speed));  // of the wave's own amplitude in place
+TEST_CASE("Viscous forces are those of half a step before in either integrator, and so the same") {
+    const std::string viscosity = "method.fluid.artificial_viscosity=0.1";
+    const auto staggered = positions(64, end, {"method.integrator=staggered-euler", viscosity}),
+               synchronous = positions(64, end, {"method.integrator=kick-drift-kick", viscosity});
+    CHECK(largest_difference(staggered, synchronous) < 1e-11);
+    CHECK(largest_difference(synchronous, positions(64, end, {"method.integrator=kick-drift-kick"})) > 1e-6);
+    // So what is dissipated is of first order in the step.
+    const std::vector<std::string> overrides{"method.integrator=kick-drift-kick", viscosity};
+    const auto exact = positions(1024, end, overrides);
+    const double coarse = largest_difference(positions(64, end, overrides), exact),
+                 fine = largest_difference(positions(128, end, overrides), exact);
+    CAPTURE(coarse, fine, order(coarse, fine));
+    CHECK(order(coarse, fine) > 0.8);
 }
 
 TEST_CASE("An adaptive step is the Courant limit with the fluid's speed added to that of sound") {
@@ -77,8 +80,9 @@ TEST_CASE("An adaptive step is the Courant limit with the fluid's speed added to
 }
 
 TEST_CASE("An adaptive step shrinks at once and grows by a tenth at the most; time is the sum of steps") {
-    Simulation<2> s(scene_text::load("acceleration = [\"t < 0.005 ? 2000 : 0\", \"0\"]\n" + waves::box(0.005, 0.05, ""),
-                                     waves::plain({"method.step_size=adaptive", "method.mach_limit=1"})));
+    Simulation<2> s(
+        scene_text::load("acceleration = [\"t < 0.0005 ? 20000 : 0\", \"0\"]\n" + waves::box(0.005, 0.05, ""),
+                         waves::plain({"method.step_size=adaptive", "method.mach_limit=1"})));
     const double limit = s.courant_limits()[0].dt, h = s.courant_limits()[0].h;
     double before = s.time_step(), time = 0;
     bool accelerated = false;
@@ -93,8 +97,8 @@ TEST_CASE("An adaptive step shrinks at once and grows by a tenth at the most; ti
             continue;
         }
         CHECK(dt <= 1.1 * before * (1 + 1e-12));
-        CHECK(dt <= limit * 30 / (30 + 0.9 * speed));  // the speed that counts is half a step old
-        accelerated = accelerated || dt == Approx(0.25 * std::sqrt(h / 2000)).epsilon(1e-6);
+        CHECK(dt <= limit * 30 / (30 + 0.4 * speed));  // the speed that counts is half a step old, at first half
+        accelerated = accelerated || dt == Approx(0.25 * std::sqrt(h / 20000)).epsilon(1e-6);
         before = dt;
     }
     CHECK(accelerated);

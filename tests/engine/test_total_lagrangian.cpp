@@ -73,12 +73,12 @@ TEST_CASE("A total-Lagrangian body falls as the textbook says") {
 
 TEST_CASE("A total-Lagrangian body that turns freely keeps its energy and is strained by its own inertia only") {
     const std::string model = GENERATE(from_range(models));
-    const double omega = 50, turn = 2 * 3.14159265358979 / omega;
+    const double omega = 50, quarter = 0.5 * 3.14159265358979 / omega;
     Simulation<2> s(scene_text::load(free_block("[\"-50*y\", \"50*x\"]"), {"materials.rubber.model=" + model}));
     const double start = s.energy().total();
     const auto before = positions(s);
     double worst = 0, strain = 0;
-    while (s.time() < turn) {
+    while (s.time() < quarter) {
         s.step();
         worst = std::max(worst, std::abs(s.energy().total() / start - 1));
         strain = std::max(strain, largest_strain(s.solid()));
@@ -89,8 +89,9 @@ TEST_CASE("A total-Lagrangian body that turns freely keeps its energy and is str
     // ρ ω² R²/2 = 550 Pa of 1.2 MPa stretch its middle by 4e-4, twice that as the body swings about it; FᵀF doubles it.
     CHECK(strain < 3e-3);
     const auto after = positions(s);
-    // After one turn every particle is back but for the body's being longer, thus slower: 2 · 4e-4 of 2π R.
-    for (std::size_t i = 0; i < after.size(); ++i) CHECK(norm(after[i] - before[i]) < 0.01 * 0.022);
+    // The body is longer by 4e-4 in the mean and so behind by twice that; the last step goes up to ω Δt = 3e-3 too far.
+    for (std::size_t i = 0; i < after.size(); ++i)
+        CHECK(norm(after[i] - Vec<2>{{-before[i][1], before[i][0]}}) < 0.01 * 0.022);
     CHECK(norm(s.momentum()) < 1e-12);
 }
 
@@ -168,7 +169,8 @@ TEST_CASE("Hourglass control holds what no gradient sees") {
     CAPTURE(held[0], held[1], free[0], free[1], free[2]);
     CHECK(free[0] > 0.5 * 0.05 * free[2]);  // they drift apart, next to unhindered
     CHECK(held[0] < 0.5 * free[0]);
-    CHECK(held[1] < 0.05);  // what the control holds is part of the energy
+    // What the control holds is part of the energy, which swings by (ωΔt)²/4: the mode's period is some twenty steps.
+    CHECK(held[1] < 0.2);
 }
 
 }  // namespace sluice

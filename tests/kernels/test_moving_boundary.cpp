@@ -69,9 +69,10 @@ TEMPLATE_TEST_CASE_SIG("a flat face carries the pressure of the fluid on it", "[
             s.fluid.pressure[f] = rho * g * (depth - s.fluid.position[f][1]);
         const Vec<Dim> hydrostatic = s.load();
         CAPTURE(uniform[1] / 1400, hydrostatic[1] / (rho * g * depth));
-        // Σ V_f V_s ∇W over a lattice's half space is the area to what the lattice's sum misses of the integral: 1 %.
-        CHECK(uniform[1] == Approx(-1400).epsilon(0.01));
-        CHECK(hydrostatic[1] == Approx(-rho * g * depth).epsilon(0.01));
+        // Σ V_f V_s ∇W over a lattice's half spaces is the area to what the lattice's sum misses of the integral: most
+        // with few neighbours, 1.8 % for h/d = 1.2 in 3D.
+        CHECK(uniform[1] == Approx(-1400).epsilon(0.02));
+        CHECK(hydrostatic[1] == Approx(-rho * g * depth).epsilon(0.02));
         for (const Vec<Dim>& load : {uniform, hydrostatic})
             for (int k = 0; k < Dim; ++k)
                 if (k != 1) CHECK(std::abs(load[k]) < 1e-12 * 1400);  // by symmetry, to rounding
