@@ -78,7 +78,7 @@ def judge(study):
 
 def draw(study, path):
     plt = style.use()
-    figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.6), layout="constrained", width_ratios=(1.6, 1))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.6), layout="constrained", width_ratios=(2.2, 1))
     exact = solution(study.runs[-1].frame_times()[-1])
     left.plot(exact[:, 0], exact[:, 2], color=style.BLACK, linewidth=1, label="exact a and b")
     left.plot(exact[:, 0], exact[:, 3], color=style.BLACK, linewidth=1)
@@ -96,8 +96,8 @@ def draw(study, path):
     dots = right.scatter(*frame.points.T, c=frame["pressure"], s=0.8, linewidths=0, cmap=style.WATER, vmin=0, vmax=top)
     angle = np.linspace(0, 2 * np.pi, 200)
     right.plot(a * np.cos(angle), b * np.sin(angle), color=style.VERMILION, linewidth=0.8)
-    right.set(aspect="equal", title="p [Pa] and the exact outline")
-    figure.colorbar(dots, ax=right, shrink=0.7)
+    right.set(aspect="equal", xlim=(-0.7, 0.7), xticks=(-0.5, 0, 0.5))
+    figure.colorbar(dots, ax=right, shrink=0.7, label="p [Pa], and the exact outline")
     style.save(figure, path)
 
 

@@ -12,8 +12,24 @@ from lib import convergence, style  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
 G, K, DEPTH, NU = 9.81, 2 * np.pi, 0.5, 0.002
-OMEGA = np.sqrt(G * K * np.tanh(K * DEPTH))
-DAMPING = 2 * NU * K ** 2  # of the amplitude, at any depth if the floor lets slip
+
+
+def exact_rate():
+    """n = −γ + iω of the linearised Navier-Stokes equations, with v = 0 and slip at the floor:
+    (n + 2νk²)² + g k tanh kH − 4 ν² k³ m tanh kH / tanh mH = 0,   m² = k² + n/ν
+    [Lamb 1932, art. 349, there for deep water]. Newton's method, from potential flow: n = −2νk² + i √(g k tanh kH).
+    """
+    def balance(n):
+        m, depth = np.sqrt(K * K + n / NU), np.tanh(K * DEPTH)
+        return (n + 2 * NU * K * K) ** 2 + G * K * depth - 4 * NU ** 2 * K ** 3 * m * depth / np.tanh(m * DEPTH)
+
+    n = -2 * NU * K ** 2 + 1j * np.sqrt(G * K * np.tanh(K * DEPTH))
+    for _ in range(20):
+        n -= balance(n) / ((balance(n + 1e-6) - balance(n - 1e-6)) / 2e-6)
+    return n
+
+
+OMEGA, DAMPING = exact_rate().imag, -exact_rate().real
 
 
 def mode(points):
