@@ -2,7 +2,8 @@
 """The largest stable method.courant of a total-Lagrangian solid, and the energy's drift below it.
 
 A short plate with rough initial velocities, so that the shortest waves are there from the start; unstable is what ends
-in a failure or gains a tenth of its energy within STEPS steps. Writes results_stability.md beside this file.
+in a failure or has ten times its energy after STEPS steps. (Stable runs gain a tenth near the limit and keep it: what
+kick-drift-kick keeps differs from the energy by a part (omega dt/2)^2, which is near 1 for the shortest waves.) Writes results_stability.md beside this file.
 """
 import argparse
 import json
@@ -21,7 +22,7 @@ from lib.run_output import RunOutput  # noqa: E402
 
 HEIGHT, ACROSS = 0.02, 8
 LENGTH = 0.04          # m, of the short plate
-STEPS = 10000          # growth by a factor of 1 + 1e-3 per step would show
+STEPS = 5000           # growth by 2e-3 per step would show, from waves that are there from the start
 SPEED = 0.01           # m/s: strains of 1e-4
 PERIODS = 50
 KERNELS = ("cubic-spline", "wendland-c2")
@@ -49,15 +50,15 @@ def main():
     print(text)
 
 
-DRIFTS = [(kernel, s, c) for kernel, s in (("cubic-spline", 1.5), ("wendland-c2", 1.2)) for c in (0.9, 0.7)]
+DRIFTS = [(kernel, s, c) for kernel, s in (("wendland-c2", 1.5),) for c in (0.9, 0.7)]
 
 
 def limit(options, kernel, smoothing):
-    """By bisection to 0.02; method.courant ends at 2."""
+    """By bisection to 0.03; method.courant ends at 2."""
     if stable(options, kernel, smoothing, 2.0):
         return "2 or more"
     low, high = 0.5, 2.0
-    while high - low > 0.02:
+    while high - low > 0.03:
         middle = round(0.5 * (low + high), 3)
         if stable(options, kernel, smoothing, middle):
             low = middle
@@ -79,8 +80,7 @@ def stable(options, kernel, smoothing, courant):
     summary = json.loads((folder / "summary.json").read_text())
     if summary["status"] != "done":
         return False
-    energy = summary["energy"]
-    return abs(energy["final"]["total"] / energy["initial"]["total"] - 1) < 0.1
+    return summary["energy"]["final"]["total"] < 10 * summary["energy"]["initial"]["total"]
 
 
 def drift(options, kernel, smoothing, courant):

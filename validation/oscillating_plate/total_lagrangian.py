@@ -26,6 +26,7 @@ from lib.verdict import Verdict  # noqa: E402
 HEIGHT = 0.02          # m
 SMALL, PAPER = 0.001, 0.01  # initial speed of the free end over c0
 CUBIC, WENDLAND = "cubic-spline", "wendland-c2"
+ON_COLUMN = "on a column"
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,7 @@ class Series:
     smoothing_length: float
     across: tuple
     speed: float = SMALL
+    held: str = "between columns"  # where the clamp's edge, x = 0, lies
 
     @property
     def plate(self):
@@ -42,7 +44,21 @@ class Series:
 
     @property
     def label(self):
-        return f"L/H = {self.slenderness}, {self.kernel}, h = {self.smoothing_length} d"
+        return (f"L/H = {self.slenderness}, {self.kernel}, h = {self.smoothing_length} d" +
+                (f", clamp's edge {self.held}" if self.held == ON_COLUMN else ""))
+
+    @property
+    def folder(self):
+        return (f"slender_{self.slenderness}_{self.kernel}_{self.smoothing_length}_{self.speed}" +
+                ("_on_column" if self.held == ON_COLUMN else ""))
+
+    def softness(self, across):
+        """What the layers of particles alone do to the period."""
+        return bending_ratio(across, self.kernel, self.smoothing_length, self.plate.poisson) ** -0.5
+
+    def root(self, point):
+        """By how much the plate seems longer, in spacings: what the layers leave of the difference to theory."""
+        return (np.sqrt(point.period / (theory(self)[0] * self.softness(point.across))) - 1) * self.slenderness * point.across
 
 
 SERIES = (
@@ -53,7 +69,9 @@ SERIES = (
     Series(10, WENDLAND, 1.2, (6, 10, 20, 30)),
     Series(20, CUBIC, 1.5, (6, 10, 14)),
     Series(20, WENDLAND, 1.2, (6, 10, 20)),
-    Series(40, WENDLAND, 1.2, (5, 6, 8)),
+    Series(40, WENDLAND, 1.2, (4, 5, 6)),
+    Series(10, CUBIC, 1.5, (6, 10, 16), SMALL, ON_COLUMN),
+    Series(10, WENDLAND, 1.2, (6, 10, 16), SMALL, ON_COLUMN),
 )
 
 
@@ -91,8 +109,9 @@ def measure(options, series, across):
         "bodies.plate.shape.box.max": f"[{plate.length}, {HEIGHT / 2}]", "probes.free_end.at": f"[{plate.length}, 0]",
         "output.frame_interval": 0, "output.end": f"{1.33 * timoshenko_period(plate):.3g}",
     }
-    folder = options.folder / (f"slender_{series.slenderness}_{series.kernel}_{series.smoothing_length}_"
-                               f"{series.speed}_across_{across}")
+    if series.held == ON_COLUMN:
+        settings |= clamp_on_column(plate, across)
+    folder = options.folder / f"{series.folder}_across_{across}"
     runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
     run = RunOutput(folder)
     y = run.probe("free_end.y")
@@ -100,6 +119,17 @@ def measure(options, series, across):
     up = up[up > down[0]] if len(down) else up[:0]
     period = up[0] * plate.bulk_sound_speed / plate.length if len(up) else np.nan
     return Point(across, period, run.summary["cpu_seconds"])
+
+
+def clamp_on_column(plate, across):
+    """The last held column stands on x = 0, and the last cell ends at x = L: a column more or less half a spacing, so
+    that the spacing along the plate is H/across (1 - H/(2 L across))."""
+    along = round(plate.length * across / HEIGHT)
+    spacing = plate.length / (along + 0.5)
+    return {"method.spacing": f"{spacing:.12g}",
+            "bodies.plate.shape.box.min": f"[{-(across + 0.5) * spacing:.12g}, {-HEIGHT / 2}]",
+            "bodies.plate.clamp.box.min": f"[{-(across + 0.5) * spacing:.12g}, {-HEIGHT / 2}]",
+            "bodies.plate.clamp.box.max": f"[{0.5 * spacing:.12g}, {HEIGHT / 2}]"}
 
 
 def theory(series):
@@ -122,7 +152,7 @@ def judge(measured):
                       low=0.99, high=1.01)
         verdict.limit(f"{series.label}: order", order, "", low=1.5)
     for series, points in measured:
-        if series == Series(10, WENDLAND, 1.2, series.across):
+        if series == Series(10, WENDLAND, 1.2, series.across):  # the finest that all series share
             at20 = next(p.period for p in points if p.across == 20)
             verdict.limit(f"{series.label}: T / Timoshenko at 20 across", at20 / theory(series)[0], "", low=0.98, high=1.02)
     return verdict
@@ -131,17 +161,15 @@ def judge(measured):
 def report(measured, verdict):
     parts = ["# Oscillating plate, total Lagrangian: results\n\nWritten by `validation/oscillating_plate/total_lagrangian.py`. "
              "T c₀/L of the first period, v_L0 = 0.001 c₀ unless said otherwise. *Section*: what the layers of particles "
-             "alone would make of Timoshenko's period, T √(I/I_n) (`lib/section.py`). *Root*: the length, in spacings, that "
-             "the plate would have to be longer by to make up for the rest.\n"]
+             "alone do to the period, √(I/I_n) (`lib/section.py`). *Root*: by how many spacings the plate would have to be "
+             "longer to make up for the rest.\n"]
     for series, points in measured:
         beam, thin = theory(series)
         order, limit = extrapolated(points)
         rows = []
         for p in points:
-            section = beam * bending_ratio(p.across, series.kernel, series.smoothing_length) ** -0.5
-            root = (np.sqrt(p.period / section) - 1) * series.slenderness * p.across
-            rows.append([p.across, number(p.period, 2), f"{100 * (p.period / beam - 1):+.2f} %", number(section, 2),
-                         f"{root:+.2f}", number(p.cpu, 1)])
+            rows.append([p.across, number(p.period, 2), f"{100 * (p.period / beam - 1):+.2f} %",
+                         f"{100 * (series.softness(p.across) - 1):+.2f} %", f"{series.root(p):+.2f}", number(p.cpu, 1)])
         name = series.label + (", v_L0 = 0.01 c₀ (the paper's)" if series.speed == PAPER else "")
         found = (f"Order {order:.2f}, extrapolated {limit:.2f} ({100 * (limit / beam - 1):+.2f} % of Timoshenko)."
                  if order else "No order: the last three are not monotonic.")
@@ -158,7 +186,7 @@ def draw(measured, path):
     colours = {(CUBIC, 1.5): style.BLUE, (CUBIC, 1.2): style.SKY, (WENDLAND, 1.5): style.VERMILION, (WENDLAND, 1.2): style.ORANGE}
     markers = {10: "o", 20: "s", 40: "^"}
     for series, points in measured:
-        if series.speed != SMALL:
+        if series.speed != SMALL or series.held == ON_COLUMN:
             continue
         beam, colour = theory(series)[0], colours[series.kernel, series.smoothing_length]
         across = np.array([p.across for p in points])
@@ -166,7 +194,7 @@ def draw(measured, path):
                     markersize=5, label=series.label)
         if series.slenderness == 10:
             every = np.arange(6, 33)
-            axis.loglog(every, [bending_ratio(n, series.kernel, series.smoothing_length) ** -0.5 - 1 for n in every],
+            axis.loglog(every, [series.softness(n) - 1 for n in every],
                         color=colour, linewidth=0.9)
     guide = np.array([10, 30])
     axis.loglog(guide, 0.012 * (10 / guide) ** 2, color=style.BLACK, linewidth=0.8, linestyle=(0, (5, 2)))

@@ -101,7 +101,7 @@ def case_table(case, across, runs, found, published):
         return f"{value:.3f} ({100 * (value / published[column] - 1):+.1f} %)"
 
     rows = [[n] + [cell(f[c], c) for c in published] +
-            [f"{100 * (1 / bending_ratio(n, 'wendland-c2', 1.2) - 1):+.1f} %", number(run.summary["cpu_seconds"], 0)]
+            [f"{100 * (1 / bending_ratio(n, 'wendland-c2', 1.2, 0.4) - 1):+.1f} %", number(run.summary["cpu_seconds"], 0)]
             for n, f, run in zip(across, found, runs)]
     limits = {c: limit_of(across, found, c) for c in published}
     rows.append(["order"] + [number(limits[c][0], 2) for c in published] + ["", ""])
@@ -132,7 +132,7 @@ def draw(folder, across, path):
     plt = style.use()
     figure, axes = plt.subplots(3, 1, figsize=(6.3, 6.2), layout="constrained")
     reference = read_reference(CASE / "reference.csv")
-    colours = (style.SKY, style.ORANGE, style.BLUE)
+    colours = (style.GREEN, style.SKY, style.ORANGE, style.BLUE)
     for k, (axis, case) in enumerate(zip(axes, reference["case"])):
         low, high = (reference["u_y"][k],) * 2
         if case == "csm3":
