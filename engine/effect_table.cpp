@@ -30,6 +30,11 @@ Decision by_constant(const Decision& medium, std::string_view symbol, double val
     return {value != off_value ? Verdict::used : Verdict::impossible, fmt::format("{} = {}", symbol, value)};
 }
 
+bool is_switched_off(const Scene& s, const std::string& key) {
+    const auto asked = s.switches.find(key);
+    return asked != s.switches.end() && asked->second == Switch::off;
+}
+
 Decision meeting(const SceneContent& c, Coupling asked, const Method& method) {
     if (!c.fluid || !c.solid) return {Verdict::impossible, c.fluid ? "no solid body" : "no fluid body"};
     if (asked != method.coupling) return {Verdict::impossible, "method.coupling is another"};
@@ -95,13 +100,20 @@ const std::array<EffectRow, effect_count> table{{
          return Decision{Verdict::used, fmt::format("{}, delta = {}", names[static_cast<std::size_t>(kind)],
                                                     s.method.fluid.diffusion_coefficient)};
      }},
+    {{Effect::excess_density, "excess_density", "fluid: density less its hydrostatic part", "Fourtakas2019",
+      "fluid.excess_density"},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.fluid) return needs_fluid(c);
+         if (s.method.fluid.density_diffusion != DensityDiffusion::fourtakas || is_switched_off(s, "density_diffusion"))
+             return Decision{Verdict::impossible, "no density diffusion by Fourtakas et al."};
+         if (!c.gravity && !c.driven) return Decision{Verdict::impossible, "no gravity"};
+         return Decision{Verdict::required, "density diffusion by Fourtakas et al."};
+     }},
     {{Effect::density_gradient, "density_gradient", "fluid: consistent density gradient", "Antuono2010",
       "fluid.density_gradient"},
      [](const Scene& s, const SceneContent& c) {
          if (!c.fluid) return needs_fluid(c);
-         const auto asked = s.switches.find("density_diffusion");
-         const bool off = asked != s.switches.end() && asked->second == Switch::off;
-         if (s.method.fluid.density_diffusion != DensityDiffusion::antuono || off)
+         if (s.method.fluid.density_diffusion != DensityDiffusion::antuono || is_switched_off(s, "density_diffusion"))
              return Decision{Verdict::impossible, "no density diffusion by Antuono et al."};
          return Decision{Verdict::required, "density diffusion by Antuono et al."};
      }},

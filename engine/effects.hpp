@@ -17,6 +17,7 @@ enum class Effect {
     laminar_viscosity,
     acoustic_damping,
     density_diffusion,
+    excess_density,
     density_gradient,
     particle_shifting,
     velocity_filter,
@@ -41,7 +42,7 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 28;
+inline constexpr std::size_t effect_count = 29;
 
 /// One row of the table.
 struct EffectInfo {

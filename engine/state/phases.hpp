@@ -30,6 +30,7 @@ template <int Dim>
 struct FluidPhase : PhaseBase<Dim> {
     ScalarField pressure_over_rho2;        ///< p/ρ² [Pa m⁶/kg²]
     VectorField<Dim> velocity_correction;  ///< velocity filter: what eq. (16) adds [m/s]
+    ScalarField excess_density;            ///< ρ − ρ0 g·x/c0², what Fourtakas' diffusion evens out [kg/m³]
     VectorField<Dim> density_gradient;     ///< ⟨∇ρ⟩ of Antuono's density diffusion [kg/m⁴]
     ShiftFields<Dim> surroundings;         ///< what particle shifting needs to know
 };

@@ -32,6 +32,7 @@ void visit_columns(FluidPhase<Dim>& p, F&& f) {
     detail::visit_base(p, f);
     f("pressure_over_rho2", p.pressure_over_rho2);
     detail::visit_tuple("velocity_correction", p.velocity_correction, f);
+    f("excess_density", p.excess_density);
     detail::visit_tuple("density_gradient", p.density_gradient, f);
     detail::visit_tuple("concentration_gradient", p.surroundings.concentration_gradient, f);
     detail::visit_tuple("surface_normal", p.surroundings.surface_normal, f);

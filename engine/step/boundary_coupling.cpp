@@ -19,8 +19,8 @@ void BoundaryCoupling<Dim>::forces() {
                                                block_totals_, boundary.force);
     boundary_reaction<Dim>(solid_view, fluid_view, c_.neighbors.boundary_image, gravity, c_.method, block_totals_,
                            boundary.force);
-    Vec<Dim> on_fluid = boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.fluid_boundary,
-                                                              gravity, c_.method, block_totals_, fluid.acceleration);
+    Vec<Dim> on_fluid = boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.fluid_boundary, gravity,
+                                                        c_.method, block_totals_, fluid.acceleration);
     boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, c_.neighbors.image_boundary, gravity, c_.method,
                                     block_totals_, fluid.acceleration);
     if (c_.has(Effect::no_slip_solid)) friction(on_solid, on_fluid);

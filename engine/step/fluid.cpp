@@ -23,7 +23,8 @@ FluidPart<Dim>::FluidPart(StepContext<Dim>& context) : c_(context) {
         terms_.kinematic_viscosity = state.water->viscosity;
     }
     if (c_.has(Effect::density_diffusion))
-        diffusion_ = {m.density_diffusion, eos.sound_speed, m.diffusion_coefficient, eos.density, state.gravity};
+        diffusion_ = {c_.has(Effect::excess_density) ? DensityDiffusion::molteni_colagrossi : m.density_diffusion,
+                      eos.sound_speed, m.diffusion_coefficient, eos.density, state.gravity};
     max_speed_ = speed_ = highest_speed(state.fluid);
     update_fluid_pressure(state);
     c_.neighbors.refresh_fluid_scalars();
@@ -96,8 +97,19 @@ void FluidPart<Dim>::rates() {
         c_.pairs += density_gradient<Dim>(view_of(fluid), list, c_.method, fluid.density_gradient);
         c_.neighbors.refresh_fluid_gradients();
     }
-    diffusion_.gravity = c_.state.gravity;
-    c_.pairs += diffusive_continuity<Dim>(view_of(fluid), list, diffusion_, c_.method, fluid.density_rate);
+    ParticleView<Dim> view = view_of(fluid);
+    if (c_.has(Effect::excess_density)) {
+        // An image carries that of the particle which it shows: at a mirror the difference of heights would be wrong.
+        Vec<Dim> per_height = (diffusion_.density / std::pow(diffusion_.sound_speed, 2)) * c_.state.gravity;
+        for (int k = 0; k < Dim; ++k)
+            if (c_.scene.periodic[static_cast<std::size_t>(k)]) per_height[k] = 0;  // nothing rests along this axis
+        parallel_for(fluid.owned, [&](std::size_t i) {
+            fluid.excess_density[i] = fluid.density[i] - dot(per_height, fluid.position[i]);
+        });
+        c_.neighbors.refresh_fluid_excess();
+        view.density = fluid.excess_density.data();  // in the volumes too, where a percent does not matter
+    }
+    c_.pairs += diffusive_continuity<Dim>(view, list, diffusion_, c_.method, fluid.density_rate);
 }
 
 template <int Dim>

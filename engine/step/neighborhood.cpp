@@ -114,9 +114,25 @@ void Neighborhood<Dim>::sort_solid() {
     for (std::size_t i = 0; i < solid.owned; ++i) solid_index_of_id_[solid.id[i]] = static_cast<Index>(i);
 }
 
+/// The same for ghosts of walls that have moved along.
+template <int Dim>
+void Neighborhood<Dim>::wrap_walls() {
+    auto& wall = state_.wall;
+    for (const ImagePlane<Dim>& plane : state_.image_planes) {
+        if (plane.is_mirror()) continue;
+        const Vec<Dim> shift = plane.shift * plane.normal;
+        parallel_for(wall.owned, [&](std::size_t i) {
+            if (plane.distance(wall.position[i]) >= 0) return;
+            wall.position.set(i, wall.position[i] + shift);
+            wall.initial_position.set(i, wall.initial_position[i] + shift);
+        });
+    }
+}
+
 template <int Dim>
 void Neighborhood<Dim>::sort_walls() {
     auto& wall = state_.wall;
+    if (effects_.has(Effect::moving_wall)) wrap_walls();
     wall_grid_.build(wall.position, 0, wall.owned, cell_over_h_ * largest(wall.smoothing_length),
                      wall.smoothing_length);
     reorder(wall, wall_grid_.order());
@@ -142,6 +158,7 @@ void Neighborhood<Dim>::make_fluid_images() {
         fluid_images_.extend(*column, fluid.owned);
     fluid.velocity.resize(n);
     if (effects_.has(Effect::density_gradient)) fluid.density_gradient.resize(n);
+    if (effects_.has(Effect::excess_density)) fluid_images_.extend(fluid.excess_density, fluid.owned);
     refresh_fluid_positions();
     refresh_fluid_velocities();
 }
@@ -344,6 +361,11 @@ void Neighborhood<Dim>::refresh_fluid_scalars() {
 template <int Dim>
 void Neighborhood<Dim>::refresh_fluid_gradients() {
     fluid_images_.refresh_directions(state_.fluid.density_gradient, state_.fluid.owned);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::refresh_fluid_excess() {
+    fluid_images_.refresh(state_.fluid.excess_density, state_.fluid.owned);
 }
 
 template <int Dim>

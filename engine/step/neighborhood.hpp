@@ -35,6 +35,7 @@ class Neighborhood {
     void refresh_fluid_velocities();
     void refresh_fluid_scalars();
     void refresh_fluid_gradients();
+    void refresh_fluid_excess();
     void refresh_fluid_surface();
     void refresh_elements();
     void refresh_boundary();
@@ -73,6 +74,7 @@ class Neighborhood {
     void wrap_fluid();
     void sort_fluid();
     void sort_solid();
+    void wrap_walls();
     void sort_walls();
     void make_fluid_images();
     void make_wall_images();

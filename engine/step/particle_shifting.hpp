@@ -17,9 +17,11 @@ class ParticleShifting {
   private:
     /// What surrounds each particle: sums over fluid, walls and solids.
     void look_around();
+    std::uint64_t interval_for(double path_over_h) const;
 
     StepContext<Dim>& c_;
     ShiftTerms terms_;
+    std::uint64_t last_ = 0, next_ = 0;  ///< step after the last shift, and that of the next
 };
 
 extern template class ParticleShifting<2>;

@@ -39,6 +39,7 @@ shape = { box = { min = [-0.008, 0.0], max = [0.0, 0.02] } }
 )toml";
 inline const std::string moving = fixed + "motion = { displacement = [\"0.1*t\", \"0\"] }\n";
 inline const std::string periodic = "[domain]\nperiodic = { y = [0.0, 0.02] }\n";
+inline const std::string viscous = "materials.water.viscosity=0.001";
 inline const std::string total_lagrangian = "materials.rubber.model=neo-hookean";
 
 /// Materials and method of the paper, then bodies and walls. Gravity and the driving acceleration come by overrides.
@@ -74,6 +75,8 @@ inline std::vector<Case> cases() {
         by_key(Effect::laminar_viscosity, water, "materials.water.viscosity", "0.001", "0"),
         by_key(Effect::acoustic_damping, water, f + "acoustic_damping", "0.5", "0"),
         by_key(Effect::density_diffusion, water, f + "density_diffusion", "fourtakas", "none"),
+        by_key(Effect::excess_density, water, f + "density_diffusion", "fourtakas", "molteni-colagrossi",
+               {"gravity=[0.0, -9.81]"}),
         by_key(Effect::density_gradient, water, f + "density_diffusion", "antuono", "fourtakas"),
         by_key(Effect::velocity_filter, water, f + "velocity_filter", "0.9", "1"),
         by_key(Effect::particle_shifting, water, f + "particle_shifting", "2", "0"),
@@ -87,6 +90,9 @@ inline std::vector<Case> cases() {
         by_key(Effect::moving_boundary, both, "method.coupling", "moving-boundary", "interface-force"),
         by_content(Effect::mirror_wall, water + mirror, water),
         by_content(Effect::fixed_wall, water + fixed, water),
+        {Effect::no_slip_wall, {water + fixed + "condition = \"no-slip\"\n", {viscous}}, {water + fixed, {viscous}}},
+        by_key(Effect::no_slip_solid, both, "materials.water.viscosity", "0.001", "0",
+               {"method.coupling=moving-boundary"}),
         by_content(Effect::moving_wall, water + moving, water + fixed),
         by_content(Effect::periodic_box, periodic + water, water),
         by_content(Effect::clamp, clamped_block, block),

@@ -1,4 +1,6 @@
 // [effects]: what may be switched, what is refused and with which reason, and where the choice is told.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "engine/effect_table.hpp"
@@ -124,7 +126,7 @@ TEST_CASE("Unknown effects and words are refused with the nearest that would be 
     CHECK(unknown.starts_with(line + ": effects.velocity_fliter: found an unknown key, expected one of "));
     CHECK(unknown.ends_with("; did you mean \"velocity_filter\"?"));
     for (const EffectRow& row : effect_table())
-        CHECK(unknown.find("\"" + std::string(row.info.key) + "\"") != std::string::npos);
+        CHECK(unknown.find(fmt::format("\"{}\"", row.info.key)) != std::string::npos);
     CHECK(error("velocity_filter = \"offf\"").starts_with(line + ": effects.velocity_filter: "));
     CHECK(error("velocity_filter = \"offf\"").find("did you mean \"off\"?") != std::string::npos);
     CHECK(error("velocity_filter = false").starts_with(line + ": effects.velocity_filter: found false, expected"));

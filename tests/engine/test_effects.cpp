@@ -116,9 +116,10 @@ std::vector<double> motion_of(const std::string& text, const std::vector<std::st
         const std::size_t first = values.size();
         values.resize(first + 4 * phase.owned);
         for (std::size_t i = 0; i < phase.owned; ++i)
-            for (std::size_t k = 0; k < 2; ++k) {
-                values[first + 4 * phase.id[i] + k] = phase.position[i][k];
-                values[first + 4 * phase.id[i] + 2 + k] = phase.velocity[i][k];
+            for (int k = 0; k < 2; ++k) {
+                const std::size_t at = first + 4 * phase.id[i] + static_cast<std::size_t>(k);
+                values[at] = phase.position[i][k];
+                values[at + 2] = phase.velocity[i][k];
             }
     };
     add(simulation.fluid());

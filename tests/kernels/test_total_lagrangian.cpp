@@ -15,13 +15,6 @@ namespace {
 const Hyperelastic rubber = Hyperelastic::with(ElasticLaw::neo_hookean, 1e6, 0.4);
 constexpr double stiffness = usual_hourglass_control * 1e6;  // ζ E
 
-template <int Dim>
-Tensor<Dim> tensor_of(const Vec<Dim * Dim>& v) {
-    Tensor<Dim> t;
-    for (int k = 0; k < Dim * Dim; ++k) t(k / Dim, k % Dim) = v[k];
-    return t;
-}
-
 /// The first (0) or second (1) of two tensors.
 template <int Dim>
 Tensor<Dim> one_of(const Vec<2 * Dim * Dim>& two, int which) {
