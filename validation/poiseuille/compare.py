@@ -15,7 +15,9 @@ FORCE = 8 * NU * SPEED / WIDTH ** 2  # per mass [m/s²]
 
 
 def velocity(y, t):
-    """u = F/(2ν) y (L − y) − Σ 4 F L²/(ν π³ n³) sin(nπy/L) exp(−n² π² ν t/L²), n odd [Morris et al. 1997, section 5]."""
+    """u = F/(2ν) y (L − y) − Σ 4 F L²/(ν π³ n³) sin(nπy/L) exp(−n² π² ν t/L²), n odd
+    [Morris et al. 1997, section 5].
+    """
     u = FORCE / (2 * NU) * y * (WIDTH - y)
     for n in range(1, 2 * TERMS, 2):
         u = u - (4 * FORCE * WIDTH ** 2 / (NU * np.pi ** 3 * n ** 3) * np.sin(n * np.pi * y / WIDTH)

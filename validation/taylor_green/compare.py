@@ -79,7 +79,8 @@ def draw(study, path):
 CASE = convergence.Case(
     "Taylor-Green vortices", FOLDER, ("L/d", 1.0), (50, 100, 200),
     errors=("velocity, L2", "decay rate of the energy"),
-    others=(("E / exact", 4), ("pressure noise / exact RMS", 3), ("mean p [Pa]", 2)), measure=measure, judge=judge, draw=draw)
+    others=(("E / exact", 4), ("pressure noise / exact RMS", 3), ("mean p [Pa]", 2)),
+    measure=measure, judge=judge, draw=draw)
 
 if __name__ == "__main__":
     sys.exit(convergence.main(CASE))
