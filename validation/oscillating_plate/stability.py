@@ -3,7 +3,8 @@
 
 A short plate with rough initial velocities, so that the shortest waves are there from the start; unstable is what ends
 in a failure or has ten times its energy after STEPS steps. (Stable runs gain a tenth near the limit and keep it: what
-kick-drift-kick keeps differs from the energy by a part (omega dt/2)^2, which is near 1 for the shortest waves.) Writes results_stability.md beside this file.
+kick-drift-kick keeps differs from the energy by a part (omega dt/2)^2, which is near 1 for the shortest waves.) Writes
+results_stability.md beside this file.
 """
 import argparse
 import json
