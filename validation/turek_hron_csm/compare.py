@@ -68,13 +68,14 @@ def measure(run, case):
     return swinging(run) if case == "csm3" else at_rest(run, case)
 
 
-def compare(folder, across):
+def compare(folder, all_across):
     reference = read_reference(CASE / "reference.csv")
     verdict, parts = Verdict(), [
         "# Turek–Hron CSM: results\n\nWritten by `validation/turek_hron_csm/compare.py`. Point A, mm and Hz; *section*: "
         "by how much the layers of particles alone make the bar too soft (`lib/section.py`).\n"]
     for k, case in enumerate(reference["case"]):
-        runs = [RunOutput(folder / f"{case}_{n}") for n in across]
+        done = finished(folder, case, all_across)
+        across, runs = list(done), list(done.values())
         found = [measure(run, case) for run in runs]
         columns = [c for c in COLUMNS if np.isfinite(reference[c][k])]
         published = {c: reference[c][k] for c in columns}
@@ -86,11 +87,19 @@ def compare(folder, across):
     (CASE / "results.md").write_text(text)
     print(text)
     verdict.print_table()
-    draw(folder, across, CASE / "point_a.svg")
+    draw(folder, all_across, CASE / "point_a.svg")
     return verdict.close("Turek-Hron CSM")
 
 
+def finished(folder, case, across):
+    """The runs that are there and have come to their end, by particles across."""
+    runs = {n: RunOutput(folder / f"{case}_{n}") for n in across if (folder / f"{case}_{n}" / "summary.json").exists()}
+    return {n: run for n, run in runs.items() if run.summary["status"] == "done"}
+
+
 def limit_of(across, found, column):
+    if len(across) < 3:
+        return None, None
     return richardson([1 / n for n in across], [f[column] for f in found])
 
 
@@ -139,8 +148,7 @@ def draw(folder, across, path):
             low, high = low - reference["u_y_amplitude"][k], high + reference["u_y_amplitude"][k]
         for level in {low, high}:
             axis.axhline(level, color=style.BLACK, linewidth=0.8, linestyle=(0, (5, 2)))
-        for n, colour in zip(across, colours):
-            run = RunOutput(folder / f"{case}_{n}")
+        for (n, run), colour in zip(finished(folder, case, across).items(), colours):
             axis.plot(run.time, 1e3 * run.probe("a.y"), color=colour, label=f"{n} across")
         axis.set_ylabel(f"{case.upper()}: u_y(A) [mm]")
         axis.grid(color="0.92", linewidth=0.5)
