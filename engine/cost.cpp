@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <numeric>
 
 #include "engine/effect_table.hpp"
 #include "engine/errors.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 using Verdict = Decision::Verdict;
 using Clock = std::chrono::steady_clock;
+using Shares = decltype(SceneCost::phases);
 
 /// Turns and warm-up are multiples of this many steps, so that what is not done in every step is in each of them: of
 /// that, particle shifting is the most seldom (engine/step/particle_shifting.cpp).
@@ -58,19 +60,33 @@ double median(std::vector<double> values) {
     return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-/// Standard error of the median of normally distributed values: √(π/2) σ/√n, with σ = 1.4826 times the median distance
-/// from the median [Huber & Ronchetti, Robust Statistics, 2nd ed., sects. 1.1, 5.1].
-std::optional<double> median_error(const std::vector<double>& values, double middle) {
+/// Student's t for 95 % and n values [Abramowitz & Stegun, eq. 26.7.5, at the normal distribution's 1.96]; 3 % too
+/// small for three values, exact from five on.
+double student_t(std::size_t n) {
+    const double r = 1 / static_cast<double>(n - 1);
+    return 1.96 + r * (2.372 + r * (2.823 + r * 2.556));
+}
+
+/// t √(π/2) σ/√n, the 95 % interval of a median of normally distributed values, with σ = 1.4826 times the median
+/// distance from the median, which interrupted turns do not move [Huber & Ronchetti, Robust Statistics, 2nd ed., ch.
+/// 5].
+std::optional<double> uncertainty_of_median(const std::vector<double>& values, double middle) {
     if (values.size() < fewest_turns) return std::nullopt;
     std::vector<double> distances;
     for (const double v : values) distances.push_back(std::abs(v - middle));
-    return std::sqrt(M_PI / 2) * 1.4826 * median(distances) / std::sqrt(static_cast<double>(values.size()));
+    const double sigma = 1.4826 * median(distances);
+    return student_t(values.size()) * std::sqrt(M_PI / 2 / static_cast<double>(values.size())) * sigma;
 }
 
 /// What some steps have cost, or all so far.
 struct Turn {
     double cpu = 0, wall = 0, simulated = 0;  ///< [s]
     double steps = 0, particle_steps = 0;
+
+    Turn& operator+=(const Turn& t) {
+        cpu += t.cpu, wall += t.wall, simulated += t.simulated, steps += t.steps, particle_steps += t.particle_steps;
+        return *this;
+    }
 };
 
 template <int Dim>
@@ -101,40 +117,78 @@ void take_turns(const Stopwatch& watch, const CostEffort& effort, TakeTurn&& tak
     }
 }
 
-/// Time per step and second, phases, and what the threads gain.
+/// Time in the phases of those steps that no other program has interrupted: they are timed by the wall clock.
+class PhaseSums {
+  public:
+    /// Takes a step.
+    template <int Dim>
+    Turn add(Simulation<Dim>& simulation) {
+        const Shares before = simulation.timer().seconds();
+        const Turn step = advance(simulation, 1);
+        const bool interrupted = step.wall > 1.1 * step.cpu + 1e-5;  // 10 µs: the clocks' own time
+        for (std::size_t k = 0; k < all_.size(); ++k) {
+            const double seconds = simulation.timer().seconds()[k] - before[k];
+            all_[k] += seconds;
+            if (!interrupted) calm_[k] += seconds;
+        }
+        if (!interrupted) ++calm_steps_;
+        return step;
+    }
+
+    /// Of all phases together. Every step counts if hardly one was left alone, or the CPU clock is too coarse to tell.
+    Shares shares() const {
+        Shares shares = calm_steps_ >= step_cycle ? calm_ : all_;
+        const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+        for (double& share : shares) share /= sum;
+        return shares;
+    }
+
+  private:
+    Shares all_{}, calm_{};
+    int calm_steps_ = 0;
+};
+
+/// On one thread: time per step and second, and phases. Returns the CPU time per simulated second of the fastest turn.
+template <int Dim>
+double time_one_thread(Simulation<Dim>& simulation, const CostEffort& effort, int steps, SceneCost& cost) {
+    const Stopwatch watch;
+    const ThreadCount one(1);
+    PhaseSums phases;
+    std::vector<double> per_second, per_step, rate;
+    take_turns(watch, effort, [&](std::size_t) {
+        Turn turn;
+        for (int s = 0; s < steps; ++s) turn += phases.add(simulation);
+        per_second.push_back(turn.cpu / turn.simulated);
+        per_step.push_back(turn.cpu / turn.steps);
+        rate.push_back(turn.particle_steps / turn.cpu);
+        cost.steps += static_cast<std::uint64_t>(steps);
+    });
+    cost.cpu_per_second = median(per_second), cost.cpu_per_step = median(per_step), cost.rate = median(rate);
+    cost.phases = phases.shares();
+    return *std::min_element(per_second.begin(), per_second.end());
+}
+
+/// The scene alone. What threads gain is taken from the fastest turns, as other programs only make them slower.
 template <int Dim>
 void time_scene(const Scene& scene, const CostEffort& effort, SceneCost& cost) {
-    const Stopwatch watch;
     Simulation<Dim> simulation(scene);
     const CostEffort half{effort.seconds / 2, effort.limit / 2};
+    int steps = step_cycle;
     {
         const ThreadCount one(1);
-        const int steps = steps_for(half.seconds / turns, advance(simulation, step_cycle));
-        const auto before = simulation.timer().seconds();
-        std::vector<double> per_second, per_step, rate;
-        double wall = 0;
-        take_turns(watch, half, [&](std::size_t) {
-            const Turn turn = advance(simulation, steps);
-            per_second.push_back(turn.cpu / turn.simulated);
-            per_step.push_back(turn.cpu / turn.steps);
-            rate.push_back(turn.particle_steps / turn.cpu);
-            wall += turn.wall;
-            cost.steps += static_cast<std::uint64_t>(steps);
-        });
-        cost.cpu_per_second = median(per_second), cost.cpu_per_step = median(per_step), cost.rate = median(rate);
-        for (std::size_t k = 0; k < cost.phases.size(); ++k)
-            cost.phases[k] = (simulation.timer().seconds()[k] - before[k]) / wall;
+        steps = steps_for(half.seconds / turns, advance(simulation, step_cycle));
     }
+    const double fastest = time_one_thread(simulation, half, steps, cost);
     cost.threads = omp_get_max_threads();
     cost.wall_per_second = cost.cpu_per_second;
     if (cost.threads > 1) {
-        const int steps = steps_for(half.seconds / turns, advance(simulation, step_cycle));
-        std::vector<double> per_second;
+        advance(simulation, step_cycle);
+        double fastest_together = HUGE_VAL;
         take_turns(Stopwatch{}, half, [&](std::size_t) {
             const Turn turn = advance(simulation, steps);
-            per_second.push_back(turn.wall / turn.simulated);
+            fastest_together = std::min(fastest_together, turn.wall / turn.simulated);
         });
-        cost.wall_per_second = median(per_second);
+        cost.wall_per_second *= fastest_together / fastest;
     }
     check_state(simulation);
 }
@@ -165,7 +219,7 @@ void compare(const Scene& scene, const CostEffort& effort, double rate, EffectCo
     effect.basis = CostBasis::switched;
     effect.rounds = ratios.size();
     effect.change = ratio - 1;
-    effect.error = median_error(ratios, ratio);
+    effect.uncertainty = uncertainty_of_median(ratios, ratio);
     effect.share = effect.choice.on ? -effect.change : 0;
     effect.step_ratio = (b.simulated / b.steps) / (a.simulated / a.steps);
     effect.rate_change = rate * ((b.particle_steps / b.simulated) / (a.particle_steps / a.simulated) / ratio - 1);

@@ -31,13 +31,13 @@ struct FieldBytes {
 struct EffectCost {
     EffectChoice choice;
     CostBasis basis = CostBasis::impossible;
-    double share = 0;             ///< part of the scene's CPU time that it takes while on
-    double change = 0;            ///< switched: of the CPU time per simulated second, relative
-    std::optional<double> error;  ///< standard error of `change`; none = too few comparisons to tell
-    double rate_change = 0;       ///< switched: of the particle-steps per CPU second [1/s]
-    double step_ratio = 1;        ///< switched: how many times as long a time step becomes
-    std::size_t rounds = 0;       ///< comparisons made
-    std::string note;             ///< failed: why
+    double share = 0;                   ///< part of the scene's CPU time that it takes while on
+    double change = 0;                  ///< switched: of the CPU time per simulated second, relative
+    std::optional<double> uncertainty;  ///< of `change`, 95 %; none = too few comparisons to tell
+    double rate_change = 0;             ///< switched: of the particle-steps per CPU second [1/s]
+    double step_ratio = 1;              ///< switched: how many times as long a time step becomes
+    std::size_t rounds = 0;             ///< comparisons made
+    std::string note;                   ///< failed: why
     std::vector<FieldBytes> memory;
 };
 
@@ -46,10 +46,11 @@ struct SceneCost {
     double cpu_per_step = 0;                               ///< [s]
     double cpu_per_second = 0;                             ///< CPU time per simulated second
     double rate = 0;                                       ///< particle-steps per CPU second [1/s]
-    std::array<double, step_phase_names.size()> phases{};  ///< their shares of a step
+    std::array<double, step_phase_names.size()> phases{};  ///< shares of their time in a step
     int threads = 1;
     double wall_per_second = 0;       ///< wall time per simulated second with so many threads
     double seconds = 0;               ///< wall time that all this took
+    double load = 0;                  ///< programs that the machine ran or kept waiting, in the minute before
     std::vector<EffectCost> effects;  ///< in the order of the table, each of it
 };
 

@@ -14,8 +14,7 @@ constexpr const char* layout = "{:<{}}  {:<3}  {:>8}  {:>16}  {:>16}  {:<24}  {}
 
 std::string percent(double part) { return fmt::format("{:.1f} %", 100 * part); }
 
-/// Whether a difference stands out of the scatter: twice the standard error leaves one in twenty to chance.
-bool stands_out(const EffectCost& e) { return !e.error || std::abs(e.change) > 2 * *e.error; }
+bool stands_out(const EffectCost& e) { return !e.uncertainty || std::abs(e.change) > *e.uncertainty; }
 
 std::string share_text(const EffectCost& e) {
     switch (e.basis) {
@@ -32,8 +31,8 @@ std::string share_text(const EffectCost& e) {
 std::string change_text(const EffectCost& e) {
     switch (e.basis) {
         case CostBasis::switched:
-            if (!e.error) return fmt::format("{:+.1f} %", 100 * e.change);
-            return fmt::format("{:+.1f} +- {:.1f} %", 100 * e.change, 100 * *e.error);
+            if (!e.uncertainty) return fmt::format("{:+.1f} +- ? %", 100 * e.change);
+            return fmt::format("{:+.1f} +- {:.1f} %", 100 * e.change, 100 * *e.uncertainty);
         case CostBasis::phases:
         case CostBasis::shared:
             return "cannot be left out";
@@ -44,9 +43,11 @@ std::string change_text(const EffectCost& e) {
     }
 }
 
-std::string rate_text(const EffectCost& e) {
+/// `rate`: of the scene as it is
+std::string rate_text(const EffectCost& e, double rate) {
     if (e.basis != CostBasis::switched) return "";
-    if (!stands_out(e) && e.step_ratio == 1) return "~ 0";
+    const double uncertainty = (rate + e.rate_change) * e.uncertainty.value_or(0) / (1 + e.change);
+    if (std::abs(e.rate_change) <= uncertainty) return "~ 0";
     return fmt::format("{}{}", e.rate_change < 0 ? '-' : '+', short_number(std::abs(e.rate_change)));
 }
 
@@ -65,27 +66,23 @@ std::string reason(const EffectCost& e) {
     return text;
 }
 
-std::string effect_rows(const std::vector<EffectCost>& effects) {
+std::string effect_rows(const SceneCost& cost) {
     std::size_t name = 0;
-    for (const EffectCost& e : effects) name = std::max(name, e.choice.info.name.size());
+    for (const EffectCost& e : cost.effects) name = std::max(name, e.choice.info.name.size());
     std::string text = fmt::format(layout, "effect", name, "", "share", "if switched", "particle-steps/s",
                                    "bytes per particle", "why");
-    for (const EffectCost& e : effects)
+    for (const EffectCost& e : cost.effects)
         text += fmt::format(layout, e.choice.info.name, name, e.choice.on ? "on" : "off", share_text(e), change_text(e),
-                            rate_text(e), memory_of(e), reason(e));
+                            rate_text(e, cost.rate), memory_of(e), reason(e));
     return text;
 }
 
-/// The parts of a step that run for no effect in particular.
-std::string other_phases(const SceneCost& cost) {
+std::string phases_text(const SceneCost& cost) {
     std::string text;
-    double named = 0;
-    for (std::size_t k = 0; k < cost.phases.size(); ++k) {
-        named += cost.phases[k];
-        if (cost.phases[k] < 0.0005) continue;  // would show as 0.0 %
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", step_phase_names[k], percent(cost.phases[k]));
-    }
-    return fmt::format("{}, between them {}", text, percent(std::max(1 - named, 0.0)));
+    for (std::size_t k = 0; k < cost.phases.size(); ++k)
+        if (cost.phases[k] >= 0.0005)  // less would show as 0.0 %
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", step_phase_names[k], percent(cost.phases[k]));
+    return text;
 }
 
 std::string turns_text(const SceneCost& cost) {
@@ -97,8 +94,19 @@ std::string turns_text(const SceneCost& cost) {
         ++compared;
     }
     if (compared == 0) return "none of the effects can be switched";
-    return fmt::format("{} effects switched, each compared {} times", compared,
-                       least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most));
+    return fmt::format("{} effects switched, compared {} each", compared,
+                       most == 1       ? "once"
+                       : least == most ? fmt::format("{} times", least)
+                                       : fmt::format("{} to {} times", least, most));
+}
+
+std::string run_text(const SceneCost& cost, double end) {
+    const std::string one = duration_text(cost.cpu_per_second * end);
+    if (cost.threads == 1) return fmt::format("about {} on one thread", one);
+    if (cost.wall_per_second >= cost.cpu_per_second)
+        return fmt::format("about {} on one thread; {} threads were slower just now", one, cost.threads);
+    return fmt::format("about {} on {} threads, {} on one", duration_text(cost.wall_per_second * end), cost.threads,
+                       one);
 }
 
 }  // namespace
@@ -114,19 +122,16 @@ std::string cost_text(const SceneCost& cost, double end) {
     std::string text = fmt::format(
         "cost, measured in {}: {} steps on one thread; {}\n"
         "  one thread:         {:.3g} ms CPU time per step, {:.3g} s per simulated second, {} particle-steps/s\n"
-        "  the whole scene:    about {} on {} thread{}",
+        "  the whole scene:    {}, without output, if it goes on as it starts\n",
         duration_text(cost.seconds), cost.steps, turns_text(cost), 1e3 * cost.cpu_per_step, cost.cpu_per_second,
-        short_number(cost.rate), duration_text(cost.wall_per_second * end), cost.threads, cost.threads > 1 ? "s" : "");
-    if (cost.threads > 1) text += fmt::format(", {} on one", duration_text(cost.cpu_per_second * end));
-    text += ", output not counted, if it goes on as it starts\n";
+        short_number(cost.rate), run_text(cost, end));
     if (cost.load > 1)
-        text += fmt::format("  other programs ran:  load average {:.1f}; what is given for {} threads holds for that\n",
-                            cost.load, cost.threads);
-    text += "  phases of a step:   " + other_phases(cost) + "\n\n" + effect_rows(cost.effects);
+        text += fmt::format("  other programs ran: load average {:.1f}; a run takes longer while they do\n", cost.load);
+    text += "  phases of a step:   " + phases_text(cost) + "\n\n" + effect_rows(cost);
     text +=
-        "\nshare, if switched: of the CPU time per simulated second on one thread, with the standard error;\n"
+        "\nshare, if switched: of the CPU time per simulated second on one thread, with the 95 % interval;\n"
         "  * = of the step's phases that run for it, whatever else runs in them included;\n"
-        "  ~ 0 = within two standard errors\n";
+        "  ~ 0 = not to be told from nothing\n";
     return text;
 }
 

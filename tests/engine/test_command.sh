@@ -57,7 +57,7 @@ expect 0 "fluid: velocity filter" "$program" check "$gate" --cost --threads 1
 holds "cannot be left out" out
 holds "cannot be on" out
 holds "the whole scene:    about " out
-holds " on 1 thread, output not counted" out
+holds " on one thread, without output" out
 [ ! -e results ] || fail "check leaves a folder"
 
 expect 0 "particle-steps/s" "$program" run "$gate"

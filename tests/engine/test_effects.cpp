@@ -115,11 +115,11 @@ std::vector<double> motion_of(const std::string& text, const std::vector<std::st
     const auto add = [&](const auto& phase) {
         const std::size_t first = values.size();
         values.resize(first + 4 * phase.owned);
-        for (std::size_t i = 0; i < phase.owned; ++i)
-            for (std::size_t k = 0; k < 2; ++k) {
-                values[first + 4 * phase.id[i] + k] = phase.position[i][k];
-                values[first + 4 * phase.id[i] + 2 + k] = phase.velocity[i][k];
-            }
+        for (std::size_t i = 0; i < phase.owned; ++i) {
+            const Vec<2> x = phase.position[i], v = phase.velocity[i];
+            const std::size_t at = first + 4 * phase.id[i];
+            values[at] = x[0], values[at + 1] = x[1], values[at + 2] = v[0], values[at + 3] = v[1];
+        }
     };
     add(simulation.fluid());
     add(simulation.solid());
