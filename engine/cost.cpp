@@ -131,22 +131,21 @@ class PhaseSums {
             all_[k] += seconds;
             if (!interrupted) calm_[k] += seconds;
         }
+        if (!interrupted) ++calm_steps_;
         return step;
     }
 
-    /// Of all phases together. Every step counts if few were left alone, or the CPU clock is too coarse to tell.
+    /// Of all phases together. Every step counts if hardly one was left alone, or the CPU clock is too coarse to tell.
     Shares shares() const {
-        const double all = sum(all_), calm = sum(calm_);
-        const bool enough = calm > 0.1 * all;
-        Shares shares = enough ? calm_ : all_;
-        for (double& share : shares) share /= enough ? calm : all;
+        Shares shares = calm_steps_ >= step_cycle ? calm_ : all_;
+        const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+        for (double& share : shares) share /= sum;
         return shares;
     }
 
   private:
-    static double sum(const Shares& s) { return std::accumulate(s.begin(), s.end(), 0.0); }
-
     Shares all_{}, calm_{};
+    int calm_steps_ = 0;
 };
 
 /// On one thread: time per step and second, and phases. Returns the CPU time per simulated second of the fastest turn.

@@ -31,7 +31,7 @@ std::string share_text(const EffectCost& e) {
 std::string change_text(const EffectCost& e) {
     switch (e.basis) {
         case CostBasis::switched:
-            if (!e.uncertainty) return fmt::format("{:+.1f} %", 100 * e.change);
+            if (!e.uncertainty) return fmt::format("{:+.1f} +- ? %", 100 * e.change);
             return fmt::format("{:+.1f} +- {:.1f} %", 100 * e.change, 100 * *e.uncertainty);
         case CostBasis::phases:
         case CostBasis::shared:
@@ -94,8 +94,10 @@ std::string turns_text(const SceneCost& cost) {
         ++compared;
     }
     if (compared == 0) return "none of the effects can be switched";
-    return fmt::format("{} effects switched, each compared {} times", compared,
-                       least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most));
+    return fmt::format("{} effects switched, compared {} each", compared,
+                       most == 1       ? "once"
+                       : least == most ? fmt::format("{} times", least)
+                                       : fmt::format("{} to {} times", least, most));
 }
 
 std::string run_text(const SceneCost& cost, double end) {
