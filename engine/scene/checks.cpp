@@ -66,6 +66,27 @@ void check_mirrors(const Scene& scene, const Body& body, const Packing& packing)
     }
 }
 
+/// Fluid outside a periodic box would be brought back in on top of other fluid; in a box shorter than a support and a
+/// skin, particles would miss images of images.
+void check_periodic(const Scene& scene, const Body& body, const Packing& packing) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!scene.periodic[k]) continue;
+        const auto [low, high] = *scene.periodic[k];
+        const std::string key = fmt::format("domain.periodic.{}", "xyz"[k]);
+        const double least =
+            (Smoothing<2>(scene.method.smoothing_function).support + 1) * scene.method.smoothing_length * body.spacing;
+        if (high - low < least)
+            scene.fail(key, fmt::format("found a length of {:.4g} m, expected {:.4g} m or more for {}, a support and a "
+                                        "smoothing length",
+                                        high - low, least, key_of(body)));
+        for (const Point& p : packing.position)
+            if (p[k] < low || p[k] > high)
+                scene.fail(key_of(body) + ".shape",
+                           fmt::format("found a particle at {}, expected all of the fluid inside {}",
+                                       describe_place(scene, p), describe_key(scene, key)));
+    }
+}
+
 void check_clamp(const Scene& scene, const Body& body, const Packing& packing) {
     if (!body.clamp) return;
     const auto held = [&](const Point& p) { return body.clamp->contains(p); };
@@ -137,7 +158,10 @@ void check_geometry(const Scene& scene, const std::vector<Packing>& bodies, cons
         const Body& body = scene.bodies[i];
         check_filled(scene, key_of(body), body.spacing, bodies[i]);
         if (is_solid(scene, body)) check_thickness(scene, body, bodies[i]);
-        if (!is_solid(scene, body)) check_mirrors(scene, body, bodies[i]);
+        if (!is_solid(scene, body)) {
+            check_mirrors(scene, body, bodies[i]);
+            check_periodic(scene, body, bodies[i]);
+        }
         check_clamp(scene, body, bodies[i]);
     }
     check_overlaps(scene, bodies, walls);

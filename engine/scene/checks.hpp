@@ -14,7 +14,8 @@ std::vector<Packing> pack_bodies(const Scene& scene);
 std::vector<Packing> pack_walls(const Scene& scene);
 
 /// Throws SceneError for bodies and fixed walls without a particle, solids thinner than two particles, overlaps, fluid
-/// behind a mirror wall, clamps that hold nothing, and displacement probes away from their body.
+/// behind a mirror wall or outside a periodic box, periodic boxes too short for their fluid, clamps that hold nothing,
+/// and displacement probes away from their body.
 void check_geometry(const Scene& scene, const std::vector<Packing>& bodies, const std::vector<Packing>& walls);
 
 /// The highest fluid speed to be expected [m/s]: method.expected_speed if the scene states it; otherwise the larger of

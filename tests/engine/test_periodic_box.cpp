@@ -103,4 +103,22 @@ velocity = [1.0, 0.5, -0.7]
     REQUIRE(norm(s.momentum() - momentum) < 1e-12 * norm(momentum));
 }
 
+TEST_CASE("Fluid outside a periodic box, and boxes too short for a support, are refused") {
+    const auto error = [](const std::string& sides) {
+        return scene_text::error_of([&] {
+            Simulation<2>{scene_text::load(preamble(0.0025) + "[domain]\nperiodic = { x = " + sides + R"toml( }
+[bodies.water]
+material = "water"
+shape = { box = { min = [0.0, 0.0], max = [0.03, 0.03] } }
+)toml")};
+        });
+    };
+    CHECK(error("[0.0, 0.03]").empty());
+    CHECK(error("[0.0, 0.025]").find("bodies.water.shape: found a particle at (") != std::string::npos);
+    CHECK(error("[0.0, 0.025]").find("expected all of the fluid inside domain.periodic.x") != std::string::npos);
+    // 3 h = 4.5 d
+    CHECK(error("[0.0, 0.01]").find("domain.periodic.x: found a length of 0.01 m, expected 0.01125 m or more") !=
+          std::string::npos);
+}
+
 }  // namespace sluice
