@@ -5,6 +5,10 @@
 
 namespace sluice {
 
-inline std::string test_scene(const std::string& name) { return std::string(SLUICE_TEST_SCENES) + "/" + name; }
+inline std::string test_scene(const std::string& name) {
+    std::string path(SLUICE_TEST_SCENES "/");
+    path += name;
+    return path;
+}
 
 }  // namespace sluice
