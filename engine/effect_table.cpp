@@ -214,8 +214,8 @@ const std::array<EffectRow, effect_count> table{{
          if (!c.gravity) return Decision{Verdict::impossible, "gravity = 0"};
          return Decision{Verdict::used, fmt::format("g = ({}, {}, {}) m/s2", s.gravity[0], s.gravity[1], s.gravity[2])};
      }},
-    {{Effect::driven_acceleration, "driven_acceleration", "acceleration that depends on time", "engine/step/walls.hpp",
-      ""},
+    {{Effect::driven_acceleration, "driven_acceleration", "acceleration that depends on time",
+      "engine/step/body_acceleration.hpp", ""},
      [](const Scene& s, const SceneContent& c) {
          if (!c.driven) return Decision{Verdict::impossible, "no acceleration in the scene"};
          return Decision{Verdict::used, fmt::format("a(t) = ({}) m/s2", fmt::join(s.acceleration, ", "))};

@@ -1,5 +1,6 @@
 #include "engine/simulation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "engine/errors.hpp"
@@ -58,13 +59,13 @@ struct Simulation<Dim>::Impl {
         const double dt = context.plan.dt;
         const bool synchronous = scene.method.integrator == Integrator::kick_drift_kick;
         // The first kick brings v from time 0 to 1/2.
-        fluid.kick(steps == 0 || synchronous ? 0.5 * dt : planner.adaptive() ? 0.5 * (before + dt) : dt);
+        fluid.kick(steps == 0 || synchronous ? 0.5 * dt : 0.5 * (before + dt));
         fluid.filter();
         fluid.drift_halfway();
         const double solid_motion = advance_solid();
         const double wall_motion = walls.move_halfway(time);
         rates();
-        const double shift = shifting.find(steps);
+        const double shift = shifting.shift(steps);
         const double fluid_motion = fluid.finish() + shift;
         neighbors.add_motion(std::max(fluid_motion, wall_motion), solid_motion);
         ++steps;

@@ -36,9 +36,7 @@ std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& li
         }
         Tensor<Dim> l = Tensor<Dim>::Zero();
         if (m.determinant() > smallest_moment) l = g * m.inverse();
-        Vec<Dim * Dim> packed;
-        for (int k = 0; k < Dim * Dim; ++k) packed[k] = l(k / Dim, k % Dim);
-        velocity_gradient.set(i, packed);
+        velocity_gradient.set(i, rows_of<Dim>(l));
     });
 }
 

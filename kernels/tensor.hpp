@@ -34,6 +34,14 @@ Vec<sym_components<Dim>> tensor_to_sym(const Tensor<Dim>& t) {
         return {{t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(0, 2), t(1, 2)}};
 }
 
+/// Row by row.
+template <int Dim>
+Vec<Dim * Dim> rows_of(const Tensor<Dim>& t) {
+    Vec<Dim * Dim> rows;
+    for (int k = 0; k < Dim * Dim; ++k) rows[k] = t(k / Dim, k % Dim);
+    return rows;
+}
+
 /// Of a tensor stored row by row.
 template <int Dim>
 Tensor<Dim> tensor_of(const Vec<Dim * Dim>& rows) {

@@ -5,24 +5,6 @@
 #include "kernels/total_lagrangian_loops.hpp"
 
 namespace sluice {
-namespace {
-
-template <int Dim>
-Tensor<Dim> unpacked(const Vec<Dim * Dim>& v) {
-    Tensor<Dim> t;
-    for (int k = 0; k < Dim * Dim; ++k) t(k / Dim, k % Dim) = v[k];
-    return t;
-}
-
-template <int Dim>
-Vec<Dim * Dim> packed(const Tensor<Dim>& t) {
-    Vec<Dim * Dim> v;
-    for (int k = 0; k < Dim * Dim; ++k) v[k] = t(k / Dim, k % Dim);
-    return v;
-}
-
-}  // namespace
-
 template <int Dim>
 std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborList& list, double stiffness,
                                  const PairMethod<Dim>& method, SymTensorField<Dim>& gradient_correction,
@@ -45,10 +27,10 @@ std::uint64_t elastic_deformation(const ParticleView<Dim>& solid, const Neighbor
                                   TupleField<Dim * Dim>& corrected_stress) {
     return sum_pairs(DeformationSums<Dim>{}, method, solid, solid, list, [&](Index a, const Vec<Dim * Dim>& sum) {
         const Tensor<Dim> l = sym_to_tensor<Dim>(at(solid.gradient_correction, a));
-        const Tensor<Dim> f = l(0, 0) > 0 ? Tensor<Dim>(unpacked<Dim>(sum) * l) : Tensor<Dim>(Tensor<Dim>::Identity());
+        const Tensor<Dim> f = l(0, 0) > 0 ? Tensor<Dim>(tensor_of<Dim>(sum) * l) : Tensor<Dim>(Tensor<Dim>::Identity());
         const Tensor<Dim> t = law.first_piola_stress<Dim>(f) * l - solid.hourglass_stiffness[a] * f;
-        deformation.set(a, packed<Dim>(f));
-        corrected_stress.set(a, packed<Dim>(t));
+        deformation.set(a, rows_of<Dim>(f));
+        corrected_stress.set(a, rows_of<Dim>(t));
     });
 }
 

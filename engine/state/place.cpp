@@ -227,6 +227,9 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     allocate(effects, "solid", state.solid.id.size(), state.solid);
     allocate(effects, "wall", state.wall.id.size(), state.wall);
     if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
+    if (effects.has(Effect::no_slip_wall))
+        for (std::size_t i = 0; i < state.wall.owned; ++i)
+            state.wall.friction_volume[i] = scene.walls[state.wall.body[i]].slip ? 0.0 : state.wall.volume[i];
     place_periodic_sides(scene, state);
     if (effects.has(Effect::total_lagrangian)) {
         state.solid.reference_position = state.solid.position;

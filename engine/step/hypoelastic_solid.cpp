@@ -54,8 +54,8 @@ void HypoelasticSolid<Dim>::forces() {
 template <int Dim>
 void HypoelasticSolid<Dim>::kick() {
     const auto scope = c_.timer.measure(StepPhase::update);
-    const double interval = started_ ? dt() : 0.5 * dt();
-    started_ = true;
+    const double interval = 0.5 * (last_dt_ + dt());
+    last_dt_ = dt();
     auto& solid = c_.state.solid;
     parallel_for(solid.owned, [&](std::size_t i) {
         if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + interval * solid.acceleration[i]);

@@ -26,7 +26,7 @@ class HypoelasticSolid {
 
     StepContext<Dim>& c_;
     SolidTerms terms_;
-    bool started_ = false;  ///< velocities stand at n − 1/2; at first they stand at 0
+    double last_dt_ = 0;  ///< of the sub-step before: velocities stand half of it behind; at first they stand at 0
 };
 
 extern template class HypoelasticSolid<2>;

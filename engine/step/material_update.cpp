@@ -31,9 +31,7 @@ void set_solid_stress(SolidPhase<Dim>& solid, const LinearEquationOfState& eos, 
 
 template <int Dim>
 void advance_stress(SolidPhase<Dim>& solid, double shear_modulus, double dt, std::size_t i) {
-    const auto packed = solid.velocity_gradient[i];
-    Tensor<Dim> gradient;
-    for (int k = 0; k < Dim * Dim; ++k) gradient(k / Dim, k % Dim) = packed[k];
+    const Tensor<Dim> gradient = tensor_of<Dim>(solid.velocity_gradient[i]);
     const Tensor<Dim> s = sym_to_tensor<Dim>(solid.deviatoric_stress[i]);
     solid.deviatoric_stress.set(i, tensor_to_sym<Dim>(advance_deviatoric_stress<Dim>(s, gradient, shear_modulus, dt)));
 }

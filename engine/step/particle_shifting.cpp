@@ -25,7 +25,7 @@ ParticleShifting<Dim>::ParticleShifting(StepContext<Dim>& context) : c_(context)
 }
 
 template <int Dim>
-double ParticleShifting<Dim>::find(std::uint64_t step) {
+double ParticleShifting<Dim>::shift(std::uint64_t step) {
     if (!c_.has(Effect::particle_shifting) || step < next_) return 0;
     const auto scope = c_.timer.measure(StepPhase::shift_pass);
     look_around();
@@ -34,9 +34,9 @@ double ParticleShifting<Dim>::find(std::uint64_t step) {
     const double longest = std::sqrt(nonnegative_max(fluid.owned, [&](std::size_t i) {
         const double h = fluid.smoothing_length[i];
         const double path = std::min(duration * norm(fluid.velocity[i]), largest_diffusivity * h / terms_.strength);
-        const Vec<Dim> shift = particle_shift<Dim>(terms_, fluid.surroundings[i], h, path);
-        fluid.position.set(i, fluid.position[i] + shift);
-        return norm2(shift);
+        const Vec<Dim> displacement = particle_shift<Dim>(terms_, fluid.surroundings[i], h, path);
+        fluid.position.set(i, fluid.position[i] + displacement);
+        return norm2(displacement);
     }));
     const double fastest = c_.plan.dt * nonnegative_max(fluid.owned, [&](std::size_t i) {
                                return norm(fluid.velocity[i]) / fluid.smoothing_length[i];

@@ -12,7 +12,7 @@ class ParticleShifting {
 
     /// Shifts the fluid's particles half-way through a step, every few steps by as much as in all of them. Returns the
     /// longest displacement. [m]
-    double find(std::uint64_t step);
+    double shift(std::uint64_t step);
 
   private:
     /// What surrounds each particle: sums over fluid, walls and solids.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/step/context.hpp"
+#include "neighbor/parallel.hpp"
 
 namespace sluice {
 
@@ -23,20 +24,19 @@ template <int Dim>
 void end_solid_motion(StepContext<Dim>& c) {
     if (!is_coupled(c)) return;
     auto& solid = c.state.solid;
-    for (std::size_t i = 0; i < solid.owned; ++i) {
+    parallel_for(solid.owned, [&](std::size_t i) {
         const Vec<Dim> before = solid.halfway_position[i], after = solid.position[i];
         solid.halfway_position.set(i, 0.5 * (before + after));
         solid.mean_velocity.set(i, (1 / c.plan.dt) * (after - before));
-    }
+    });
     if (!c.has(Effect::moving_boundary)) return;
     // A total-Lagrangian solid is pushed by the fluid before and after its own steps, not in them.
     const bool pushed = c.has(Effect::total_lagrangian);
-    for (std::size_t i = 0; i < solid.owned; ++i) {
-        const Vec<Dim> gained = solid.velocity[i] - solid.mean_acceleration[i];
-        solid.mean_acceleration.set(i, (1 / c.plan.dt) * gained);
-        if (pushed && !solid.clamped[i])
-            solid.mean_acceleration.set(i, solid.mean_acceleration[i] + solid.interface_acceleration[i]);
-    }
+    parallel_for(solid.owned, [&](std::size_t i) {
+        Vec<Dim> mean = (1 / c.plan.dt) * (solid.velocity[i] - solid.mean_acceleration[i]);
+        if (pushed && !solid.clamped[i]) mean += solid.interface_acceleration[i];
+        solid.mean_acceleration.set(i, mean);
+    });
 }
 
 }  // namespace sluice

@@ -10,11 +10,6 @@ namespace sluice {
 
 template <int Dim>
 WallPart<Dim>::WallPart(StepContext<Dim>& context) : c_(context) {
-    if (c_.has(Effect::no_slip_wall)) {
-        auto& wall = c_.state.wall;
-        for (std::size_t i = 0; i < wall.owned; ++i)
-            wall.friction_volume[i] = c_.scene.walls[wall.body[i]].slip ? 0.0 : wall.volume[i];
-    }
     if (!c_.has(Effect::moving_wall)) return;
     for (const Wall& wall : c_.scene.walls) {
         motion_.emplace_back();
@@ -44,7 +39,7 @@ double WallPart<Dim>::move_halfway(double t) {
         displacement_[w] = 0.5 * (from + to);
         farthest = std::max(farthest, norm(to - from));
     }
-    place(displacement_, velocity_);
+    place();
     return farthest;
 }
 
@@ -54,15 +49,15 @@ void WallPart<Dim>::finish(double t) {
     const auto scope = c_.timer.measure(StepPhase::wall_pass);
     for (std::size_t w = 0; w < motion_.size(); ++w)
         if (motion_[w]) displacement_[w] = motion_[w]->displacement(t);
-    place(displacement_, velocity_);
+    place();
 }
 
 template <int Dim>
-void WallPart<Dim>::place(const std::vector<Vec<Dim>>& displacement, const std::vector<Vec<Dim>>& velocity) {
+void WallPart<Dim>::place() {
     auto& wall = c_.state.wall;
     parallel_for(wall.owned, [&](std::size_t i) {
-        wall.position.set(i, wall.initial_position[i] + displacement[wall.body[i]]);
-        wall.velocity.set(i, velocity[wall.body[i]]);
+        wall.position.set(i, wall.initial_position[i] + displacement_[wall.body[i]]);
+        wall.velocity.set(i, velocity_[wall.body[i]]);
     });
     c_.neighbors.refresh_wall_motion();
 }

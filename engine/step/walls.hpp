@@ -27,8 +27,8 @@ class WallPart {
 
   private:
     void friction();
-    /// Ghosts stand where their walls have moved to; velocity of each wall [m/s].
-    void place(const std::vector<Vec<Dim>>& displacement, const std::vector<Vec<Dim>>& velocity);
+    /// Ghosts stand where their walls have moved to, and move with them.
+    void place();
 
     StepContext<Dim>& c_;
     std::vector<std::optional<WallMotion<Dim>>> motion_;  ///< by the walls' numbers; empty if none moves
