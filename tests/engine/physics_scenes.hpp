@@ -10,7 +10,7 @@ namespace sluice {
 
 /// Materials and method of the elastic gate, at a spacing [m]; velocity filter and viscosities as in the paper.
 inline std::string preamble(double spacing) {
-    return "title = \"test\"\n[method]\nspacing = " + std::to_string(spacing) + R"toml(
+    return "title = \"test\"\n[method]\npreset = \"paper\"\nspacing = " + std::to_string(spacing) + R"toml(
 expected_speed = 1.0
 [materials.water]
 kind = "fluid"
