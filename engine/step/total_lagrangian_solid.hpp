@@ -24,8 +24,10 @@ class TotalLagrangianSolid {
     double dt() const { return c_.plan.dt / c_.plan.substeps; }
     void kick();
     double drift();
-    /// F, T and the elastic acceleration.
-    void update_stress();
+    /// Its own steps. Returns as advance().
+    double move();
+    /// F and T where they may change, and the elastic acceleration of those listed.
+    void update_stress(const NeighborList& accelerated);
     /// ρ = ρ0/det F, which the fluid sees.
     void update_density();
 
