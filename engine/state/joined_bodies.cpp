@@ -33,6 +33,14 @@ bool are_within(const Packing& a, const Packing& b, double distance) {
     return list.pairs() > 0;
 }
 
+template <int Dim>
+bool are_near(const std::vector<Box<Dim>>& box, double reach) {
+    for (std::size_t a = 0; a < box.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            if (distance2(box[a], box[b]) < reach * reach) return true;  // boxes of nothing are far from everything
+    return false;
+}
+
 Box<3> box_of(const Packing& p) {
     Box<3> box;
     for (const Point& x : p.position) box.add(Vec<3>{x});
@@ -66,6 +74,7 @@ void part_references(const std::vector<int>& group_of_body, double reach, SolidP
     std::vector<Box<Dim>> box(group_of_body.size());
     for (std::size_t i = 0; i < solid.owned; ++i)
         box[static_cast<std::size_t>(group_of_body[solid.body[i]])].add(solid.reference_position[i]);
+    if (!are_near(box, reach)) return;
     // In a row along x. The first group stays where it is.
     std::vector<double> shift(box.size(), 0);
     bool first = true;

@@ -15,9 +15,9 @@ namespace sluice {
 std::vector<int> join_bodies(const Scene& scene, const std::vector<Packing>& packings);
 inline constexpr int no_group = -1;
 
-/// Gives each group of a total-Lagrangian solid a reference configuration to itself, out of the others' reach, by
-/// moving its reference positions: nothing but their differences counts. Without that, bodies that start within a
-/// support of each other would be bound to each other for good.
+/// If groups of a total-Lagrangian solid start within reach of each other, gives each a reference configuration to
+/// itself by moving its reference positions, of which nothing but differences count. Without that they would be bound
+/// to each other for good.
 template <int Dim>
 void part_references(const std::vector<int>& group_of_body, double reach, SolidPhase<Dim>& solid);
 

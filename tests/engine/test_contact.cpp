@@ -56,8 +56,8 @@ Collision collide(const std::string& text, double end, const std::vector<std::st
 /// 0.05 c0 of relative speed, half a spacing off the axis.
 const std::string discs = rubber(d) + body("left", disc(-0.012, 0, 0.01), "[1.066, 0]") +
                           body("right", disc(0.012, 0.0005, 0.01), "[-1.066, 0]");
-const std::string rings = rubber(d) + body("left", ring(-0.022, 0.02, 0.015), "[1.066, 0]") +
-                          body("right", ring(0.022, 0.02, 0.015), "[-1.066, 0]");
+const std::string rings = rubber(d) + body("left", ring(-0.0105, 0.01, 0.006), "[1.066, 0]") +
+                          body("right", ring(0.0105, 0.01, 0.006), "[-1.066, 0]");
 
 }  // namespace
 
@@ -75,7 +75,7 @@ TEST_CASE("Discs collide and rebound, and keep energy, momentum and angular mome
 }
 
 TEST_CASE("Rings collide and rebound; without contact they pass through each other") {
-    const Collision with = collide<2>(rings, 0.025), without = collide<2>(rings, 0.025, {"effects.contact=off"});
+    const Collision with = collide<2>(rings, 0.022), without = collide<2>(rings, 0.022, {"effects.contact=off"});
     CAPTURE(with.least_energy, with.most_energy, with.contact, with.momentum, with.after, without.after);
     CHECK(with.after < -0.3 * with.before);
     CHECK(with.left[1] + 0.5 * d < with.right[0]);
@@ -93,17 +93,19 @@ TEST_CASE("Blocks collide in 3D") {
     const Collision c = collide<3>(text, 0.006);
     CAPTURE(c.least_energy, c.most_energy, c.contact, c.momentum, c.spin, c.after);
     CHECK(c.after < -0.5 * c.before);
-    CHECK(c.least_energy > -0.01);
-    CHECK(c.most_energy < 0.01);
+    // Flat faces that meet at once: more in the shortest waves than with discs.
+    CHECK(c.least_energy > -0.03);
+    CHECK(c.most_energy < 0.03);
     CHECK(c.momentum < 1e-12);
     CHECK(c.spin < 1e-12);
 }
 
-TEST_CASE("A block dropped on a floor rebounds, and does not enter it by half a spacing") {
-    const std::string floor = GENERATE(as<std::string>{}, mirror_floor, fixed_floor);
-    const std::string text = rubber(d, "gravity = [0.0, -9.81]\n") +
-                             body("block", box("[-0.01, 0.003]", "[0.01, 0.013]"), "[0, -2.0]") + floor;
-    Simulation<2> s(scene_text::load(text));
+namespace {
+
+/// A block falls on a floor at y = 0 with 2 m/s.
+template <int Dim>
+void check_drop(const std::string& text, double spacing) {
+    Simulation<Dim> s(scene_text::load(text));
     const double start = s.energy().total();
     double least = 0, most = 0, deepest = 1, up = 0;
     while (s.time() < 0.01) {
@@ -113,12 +115,32 @@ TEST_CASE("A block dropped on a floor rebounds, and does not enter it by half a 
         deepest = std::min(deepest, lowest(s));
         up = std::max(up, contact_scenes::momentum_of(s, 0)[1] / mass_of(s));
     }
-    CAPTURE(least, most, deepest, up);
-    CHECK(up > 1);             // of the 2 m/s with which it came, the rest vibrates in it
-    CHECK(deepest > 0);        // touching, its lowest particles stand at d/2: so it is less than half a spacing in
-    CHECK(deepest < 0.5 * d);  // and it did touch
-    CHECK(least > -0.01);      // as for discs
-    CHECK(most < 0.01);
+    CAPTURE(least, most, deepest / spacing, up);
+    CHECK(up > 1);                   // the rest vibrates in it
+    CHECK(deepest < 0.5 * spacing);  // it touched: its lowest particles stood at half a spacing
+    CHECK(deepest > 0);              // and entered by less than half of one
+    // Flat faces that meet at once: some in the shortest waves, whose energy Verlet's scheme sees up to a third wrong.
+    CHECK(least > -0.03);
+    CHECK(most < 0.03);
+}
+
+}  // namespace
+
+TEST_CASE("A block dropped on a floor rebounds, and does not enter it by half a spacing") {
+    const std::string floor = GENERATE(as<std::string>{}, mirror_floor, fixed_floor);
+    check_drop<2>(rubber(d, "gravity = [0.0, -9.81]\n") +
+                      body("block", box("[-0.01, 0.003]", "[0.01, 0.013]"), "[0, -2.0]") + floor,
+                  d);
+}
+
+TEST_CASE("A block dropped on a floor rebounds in 3D") {
+    const std::string mirror = "[walls.floor]\nkind = \"mirror\"\npoint = [0.0, 0.0, 0.0]\nnormal = [0.0, 1.0, 0.0]\n";
+    const std::string fixed =
+        "[walls.floor]\nkind = \"fixed\"\nshape = " + box("[-0.016, -0.008, -0.016]", "[0.016, 0.0, 0.016]") + "\n";
+    const std::string floor = GENERATE_COPY(mirror, fixed);
+    check_drop<3>("dimension = 3\n" + rubber(0.002, "gravity = [0.0, -9.81, 0.0]\n") +
+                      body("block", box("[-0.008, 0.003, -0.006]", "[0.008, 0.015, 0.006]"), "[0, -2.0, 0]") + floor,
+                  0.002);
 }
 
 namespace {
@@ -193,7 +215,8 @@ TEST_CASE("No particle feels a force at the start, however close bodies and wall
     Simulation<2> s(scene_text::load(text));
     advance(s, 10);
     CHECK(s.energy().contact == 0);
-    CHECK(s.energy().kinetic == 0);
+    // What is left is rounding of reference positions, 1e-16 of a length over d, in a stress of ρ c².
+    CHECK(s.energy().kinetic < 1e-20 * mass_of(s) * sound_speed * sound_speed);
 }
 
 TEST_CASE("A moving wall pushes a block") {
