@@ -93,7 +93,8 @@ TEST_CASE("Blocks collide in 3D") {
     const Collision c = collide<3>(text, 0.006);
     CAPTURE(c.least_energy, c.most_energy, c.contact, c.momentum, c.spin, c.after);
     CHECK(c.after < -0.5 * c.before);
-    // Flat faces that meet at once: more in the shortest waves than with discs.
+    // Flat faces that meet at once: more in the shortest waves than with discs, and the pressure sets in with a kink.
+    // It is the step's: 1.8 %, and 0.2 % with half the step.
     CHECK(c.least_energy > -0.03);
     CHECK(c.most_energy < 0.03);
     CHECK(c.momentum < 1e-12);
