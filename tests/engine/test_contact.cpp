@@ -1,4 +1,6 @@
 // Contact of total-Lagrangian solids: collisions, walls, rest; what it keeps, and what it costs where nothing is near.
+#include "engine/step/contact.hpp"
+
 #include "tests/catch.hpp"
 #include "tests/engine/contact_scenes.hpp"
 
@@ -72,6 +74,40 @@ TEST_CASE("Discs collide and rebound, and keep energy, momentum and angular mome
     CHECK(c.most_energy < 0.01);
     CHECK(c.momentum < 1e-12);  // rounding of some hundred steps
     CHECK(c.spin < 1e-12);
+}
+
+namespace {
+
+/// The energy (b) of kernels/contact_passes.hpp by all pairs, of bodies that start apart.
+template <int Dim>
+double contact_energy(const Simulation<Dim>& s) {
+    const Smoothing<Dim> w(s.scene().method.smoothing_function);
+    const double threshold = flat_contact<Dim>(w, s.scene().method.smoothing_length).density;
+    const auto& solid = s.solid();
+    double energy = 0;
+    for (std::size_t i = 0; i < solid.owned; ++i) {
+        double sigma = 0;
+        for (std::size_t j = 0; j < solid.owned; ++j)
+            if (solid.body[i] != solid.body[j])
+                sigma += solid.volume[j] * w(norm(solid.position[i] - solid.position[j]), solid.smoothing_length[i]);
+        const double excess = std::max(sigma - threshold, 0.0);
+        energy += 0.5 * contact_stiffness * s.elastic_law().wave_modulus() * solid.volume[i] * excess * excess;
+    }
+    return energy;
+}
+
+}  // namespace
+
+TEST_CASE("Whatever touches is found, all through a collision") {
+    Simulation<2> s(scene_text::load(discs));
+    int touching = 0;
+    while (s.time() < 0.004) {
+        advance(s, 3);
+        const double expected = contact_energy(s), got = s.energy().contact;
+        touching += expected > 0;
+        REQUIRE(std::abs(got - expected) <= 1e-9 * expected);  // rounding of σ − σ_0, which may be small
+    }
+    CHECK(touching > 10);
 }
 
 TEST_CASE("Rings collide and rebound; without contact they pass through each other") {
