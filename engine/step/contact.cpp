@@ -50,6 +50,7 @@ void SolidContact<Dim>::set_thresholds() {
     };
     raise(search_.among_bodies, body_threshold_);
     raise(search_.at_walls, wall_threshold_);
+    for (Particles* p : {&search_.among_bodies, &search_.at_walls}) clear(p->force_density);  // it was ∇σ
     for (const ImagePlane<Dim>& plane : c_.state.image_planes) {
         plane_threshold_.emplace_back();
         if (!plane.is_mirror()) continue;
