@@ -7,12 +7,15 @@
 
 namespace sluice::contact_scenes {
 
-/// The rubber of the other scenes without water: K = 2 MPa, c0 = √(K/ρ) = 42.64 m/s.
+/// The rubber of the other scenes without water and without dissipation: K = 2 MPa, c0 = √(K/ρ) = 42.64 m/s.
 inline std::string rubber(double spacing, const std::string& head = "") {
     return "title = \"contact\"\n" + head +
            fmt::format(R"toml([method]
 preset = "modern"
 spacing = {}
+[method.solid]
+artificial_viscosity = 0.0
+hourglass_control = 0.1
 [materials.rubber]
 kind = "solid"
 model = "neo-hookean"
