@@ -29,7 +29,8 @@ std::string text_of(const DamBreak& dam) {
     std::string text =
         fmt::format("title = \"Dam break\"\ndimension = {}\ngravity = {}\n", dam.dimension, array(dam, 0, -9.81, 0));
     text += fmt::format(
-        "[method]\nspacing = {}\nsmoothing_length = {}\nprecision = \"{}\"\nexpected_speed = {}\n[method.fluid]\n"
+        "[method]\npreset = \"paper\"\nspacing = {}\nsmoothing_length = {}\nprecision = \"{}\"\nexpected_speed = "
+        "{}\n[method.fluid]\n"
         "velocity_filter = 0.92\n",
         1 / side, dam.h_over_d, dam.precision, expected);
     text += fmt::format("[materials.water]\nkind = \"fluid\"\ndensity = 1000.0\nsound_speed = {}\n", 10 * expected);

@@ -25,7 +25,7 @@ struct Simulation<Dim>::Impl {
         : scene(s),
           effects(scene),
           state(place_particles<Dim>(scene, effects)),
-          planner(scene, effects, courant_limits_of(scene, state)),
+          planner(scene, effects, courant_limits_of(scene, effects, state)),
           smoothing(scene.method.smoothing_function),
           neighbors(state, effects, scene.method.smoothing_length, smoothing.support),
           context{scene, effects, state, neighbors, pair_method(), StepPlan{}},

@@ -32,7 +32,8 @@ Method modern_method() {
                .acoustic_damping = 0.3,
                .shifting = 2,  // 8 is better without a free surface; beside elastic walls it adds energy
                .artificial_viscosity = 0.02};
-    m.solid = {.velocity_filter = 1, .artificial_viscosity = 0};
+    // Without it the fluid's impulses resonate with waves through the body's thickness once their period is two steps.
+    m.solid = {.velocity_filter = 1, .artificial_viscosity = 0.1};
     return m;
 }
 
@@ -86,7 +87,7 @@ void read_method(TomlTable& root) {
     TomlTable table(root.get("method"));
     Method& method = root.scene().method;
     // A preset sets every choice; each can then be changed by itself.
-    Preset preset = method.preset;
+    Preset preset = Preset::modern;
     read_choice(table, "preset", {"paper", "modern"}, preset);
     method = preset == Preset::paper ? paper_method() : modern_method();
     method.spacing = table.get("spacing").number(positive);

@@ -51,7 +51,7 @@ void HypoelasticSolid<Dim>::forces() {
     {
         const auto scope = c_.timer.measure(StepPhase::solid_pass);
         c_.pairs +=
-            solid_momentum<Dim>(view_of(solid), c_.neighbors.solid_solid, terms_, c_.method, solid.acceleration);
+            solid_momentum<Dim>(view_of(solid), c_.neighbors.moving_solid(), terms_, c_.method, solid.acceleration);
     }
     contact_.add_forces();
 }
@@ -72,7 +72,7 @@ void HypoelasticSolid<Dim>::filter() {
     if (!c_.has(Effect::solid_filter)) return;
     const auto scope = c_.timer.measure(StepPhase::filter_pass);
     auto& solid = c_.state.solid;
-    c_.pairs += velocity_filter<Dim>(view_of(solid), c_.neighbors.solid_solid, c_.scene.method.solid.velocity_filter,
+    c_.pairs += velocity_filter<Dim>(view_of(solid), c_.neighbors.moving_solid(), c_.scene.method.solid.velocity_filter,
                                      c_.method, solid.velocity_correction);
     parallel_for(solid.owned, [&](std::size_t i) {
         if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + solid.velocity_correction[i]);

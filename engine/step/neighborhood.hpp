@@ -30,6 +30,11 @@ class Neighborhood {
     /// The same for what a solid's sub-step needs.
     void update_solid();
 
+    /// Tells that the stress of a total-Lagrangian solid's start is known: where it stays for good it needs no passes.
+    void leave_out_clamped();
+    /// The rows of solid_solid whose forces are asked for: not of those that are clamped.
+    const NeighborList& moving_solid() const { return effects_.has(Effect::clamp) ? moving_solid_ : solid_solid; }
+
     /// Images follow their owners.
     void refresh_fluid_positions();
     void refresh_fluid_velocities();
@@ -52,7 +57,8 @@ class Neighborhood {
     std::size_t bytes() const;
 
     // a_b: for each particle of a, its neighbours among b
-    NeighborList fluid_fluid, fluid_wall, wall_fluid, solid_solid;
+    NeighborList fluid_fluid, fluid_wall, wall_fluid;
+    NeighborList solid_solid;  ///< without those whose stress never changes
     NeighborList element_solid, solid_element, element_fluid, fluid_element;
     NeighborList element_image;  ///< elements and the images of fluid particles
     NeighborList image_element;  ///< fluid particles and the images of elements
@@ -71,6 +77,7 @@ class Neighborhood {
     void build_fluid();
     void build_solid();
     void build_coupling();
+    void leave_out_resting();
     void prune_fluid();
     void prune_solid();
     bool has_images() const { return !state_.image_planes.empty(); }
@@ -98,6 +105,7 @@ class Neighborhood {
     Images<Dim> fluid_images_, wall_images_, element_images_, boundary_images_;
     Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_,
         boundary_grid_, boundary_image_grid_;
+    NeighborList moving_solid_;
     NeighborSearch<Dim> search_;
 };
 

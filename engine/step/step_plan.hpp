@@ -14,7 +14,7 @@ struct State;
 /// The largest stable step of one medium.
 struct CourantLimit {
     std::string medium;      ///< material's name
-    double dt = 0;           ///< courant · h / c0 [s]
+    double dt = 0;           ///< courant · h / c0, less where a viscosity asks for it [s]
     double h = 0;            ///< the medium's smallest smoothing length [m]
     double sound_speed = 0;  ///< c0 [m/s]
     double viscosity = 0;    ///< ν [m²/s]
@@ -22,7 +22,7 @@ struct CourantLimit {
 
 /// Those of the media present, the fluid's first, each with its smallest h.
 template <int Dim>
-std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state);
+std::vector<CourantLimit> courant_limits_of(const Scene& scene, const Effects& effects, const State<Dim>& state);
 
 /// The step of all media together, and how many sub-steps of the solid there are in it.
 struct StepPlan {

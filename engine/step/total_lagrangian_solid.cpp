@@ -21,24 +21,32 @@ TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, Solid
     const double stiffness = c_.has(Effect::hourglass_control) ? m.hourglass_control * law_.young_modulus() : 0.0;
     elastic_correction<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, stiffness, c_.method,
                             solid.gradient_correction, solid.hourglass_stiffness);
-    update_stress();
+    update_stress(c_.neighbors.solid_solid);
     update_density();
+    c_.neighbors.leave_out_clamped();
 }
 
 template <int Dim>
 double TotalLagrangianSolid<Dim>::advance() {
-    double motion = 0;
     begin_solid_motion(c_);
+    const bool all_clamped = c_.neighbors.moving_solid().size() == 0;
+    const double motion = all_clamped ? 0 : move();
+    end_solid_motion(c_);
+    return motion;
+}
+
+template <int Dim>
+double TotalLagrangianSolid<Dim>::move() {
+    double motion = 0;
     for (int s = 0; s < c_.plan.substeps; ++s) {
         kick();
         const double moved = drift();
         contact_.add_motion(moved);
         motion += moved;
-        update_stress();
+        update_stress(c_.neighbors.moving_solid());
         kick();
     }
     update_density();
-    end_solid_motion(c_);
     return motion;
 }
 
@@ -76,7 +84,7 @@ double TotalLagrangianSolid<Dim>::drift() {
 }
 
 template <int Dim>
-void TotalLagrangianSolid<Dim>::update_stress() {
+void TotalLagrangianSolid<Dim>::update_stress(const NeighborList& accelerated) {
     auto& solid = c_.state.solid;
     const auto view = reference_view_of(solid);
     {
@@ -87,7 +95,7 @@ void TotalLagrangianSolid<Dim>::update_stress() {
     {
         const auto scope = c_.timer.measure(StepPhase::solid_pass);
         for (auto& column : solid.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
-        c_.pairs += elastic_momentum<Dim>(view, c_.neighbors.solid_solid, viscosity_, c_.method, solid.acceleration);
+        c_.pairs += elastic_momentum<Dim>(view, accelerated, viscosity_, c_.method, solid.acceleration);
     }
     contact_.add_forces();
 }

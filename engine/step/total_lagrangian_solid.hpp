@@ -25,8 +25,10 @@ class TotalLagrangianSolid {
     double dt() const { return c_.plan.dt / c_.plan.substeps; }
     void kick();
     double drift();
-    /// F, T and the acceleration by stress and contact.
-    void update_stress();
+    /// Its own steps. Returns as advance().
+    double move();
+    /// F and T where they may change, the acceleration by stress of those listed, and that by contact.
+    void update_stress(const NeighborList& accelerated);
     /// ρ = ρ0/det F, which the fluid sees.
     void update_density();
 

@@ -25,7 +25,7 @@ def _wendland_c2(q):
 WEIGHT = {"cubic-spline": _cubic_spline, "wendland-c2": _wendland_c2}
 
 
-def bending_ratio(layers, smoothing_function, smoothing_length, poisson, hourglass=0.1):
+def bending_ratio(layers, smoothing_function, smoothing_length, poisson, hourglass=0.6):
     """Bending stiffness over E'I; smoothing_length in spacings, hourglass = zeta in units of E.
 
     The least energy per column, for curvature 1, over the displacements v of the layers along y:
