@@ -45,13 +45,6 @@ inline std::string ring(double x, double outer, double inner) {
     return fmt::format("{{ difference = [{}, {}] }}", disc(x, 0, outer), disc(x, 0, inner));
 }
 
-inline const std::string mirror_floor = R"toml(
-[walls.floor]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [0.0, 1.0]
-)toml";
-
 /// Its surface at y = 0, like the mirror's.
 inline const std::string fixed_floor = R"toml(
 [walls.floor]
