@@ -4,6 +4,8 @@
 #include "bench/suite.hpp"
 #include "kernels/boundary_loops.hpp"
 #include "kernels/boundary_passes.hpp"
+#include "kernels/contact_loops.hpp"
+#include "kernels/contact_passes.hpp"
 #include "kernels/density_loops.hpp"
 #include "kernels/density_passes.hpp"
 #include "kernels/fluid_loops.hpp"
@@ -161,6 +163,22 @@ Rows<Cube<Dim>> elastic_rows() {
             })};
 }
 
+/// Two bodies that touch. In double only, whatever is asked for.
+template <int Dim>
+Rows<Boundary<Dim>> contact_rows() {
+    using S = Boundary<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> body{&S::fluid, &S::backing, &S::fluid_backing};
+    return {pass_row<ContactSums<Dim>>("contact_sums", body, 1 + Dim,
+                                       [](const S& s, Precision, Out& out) {
+                                           contact_sums<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing, {},
+                                                             out.scalars, out.vectors);
+                                       }),
+            pass_row<ContactForce<Dim>>("contact_force", body, Dim, [](const S& s, Precision, Out& out) {
+                contact_force<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing, {}, out.vectors);
+            })};
+}
+
 template <int Dim>
 Rows<Boundary<Dim>> wall_rows() {
     using S = Boundary<Dim>;
@@ -287,6 +305,7 @@ void register_dimension() {
     const auto boundary_shift = boundary_shift_rows<Dim>();
     const auto solid = solid_rows<Dim>();
     const auto elastic = elastic_rows<Dim>();
+    const auto contact = contact_rows<Dim>();
     const auto wall = wall_rows<Dim>();
     const auto interface = interface_rows<Dim>();
     const auto boundary = boundary_rows<Dim>();
@@ -300,7 +319,7 @@ void register_dimension() {
             register_rows(wall, both, h, n);
             // These know no other.
             register_rows(elastic, {Precision::full}, h, n);
-            for (const auto* rows : {&boundary_shift, &interface, &boundary, &friction})
+            for (const auto* rows : {&boundary_shift, &contact, &interface, &boundary, &friction})
                 register_rows(*rows, {Precision::full}, h, n);
         }
 }

@@ -41,6 +41,39 @@ Decision meeting(const SceneContent& c, Coupling asked, const Method& method) {
     return {Verdict::required, fmt::format("{} can meet {}", c.fluids, c.solids)};
 }
 
+/// Whether a clamp holds all of a body: if it is convex and holds the corners of what bounds the body.
+bool is_held(const Body& body) {
+    if (!body.clamp) return false;
+    const Bounds b = body.shape->bounds();
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        Point p;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = corner >> k & 1U ? b.max[k] : b.min[k];
+        if (!body.clamp->contains(p)) return false;
+    }
+    return true;
+}
+
+Decision meeting_of_solids(const Scene&, const SceneContent& c) {
+    if (!c.solid) return {Verdict::impossible, "no solid body"};
+    if (!c.movable) return {Verdict::impossible, "all solid bodies are clamped"};
+    const std::string walls = c.mirrors + (c.mirrors.empty() || c.fixed_walls.empty() ? "" : ", ") + c.fixed_walls;
+    if (!c.total_lagrangian) {
+        if (walls.empty()) return {Verdict::impossible, "no wall, and the solids are hypoelastic"};
+        return {Verdict::unused, "the solids are hypoelastic; they could meet walls: " + walls};
+    }
+    if (c.total_lagrangian_bodies < 2 && walls.empty()) return {Verdict::impossible, "one solid body and no wall"};
+    if (walls.empty()) return {Verdict::used, fmt::format("solid bodies: {}", c.solids)};
+    return {Verdict::used, fmt::format("solid bodies: {}; walls: {}", c.solids, walls)};
+}
+
+/// Whether solids feel walls.
+bool solids_meet_walls(const Scene& s, const SceneContent& c) {
+    const Verdict verdict = meeting_of_solids(s, c).verdict;
+    const auto asked = s.switches.find("contact");
+    const Switch wish = asked == s.switches.end() ? Switch::automatic : asked->second;
+    return wish == Switch::automatic ? verdict == Verdict::used : wish == Switch::on;
+}
+
 // Columns.
 constexpr std::string_view fluid_columns =
     "fluid.position fluid.velocity fluid.acceleration fluid.density fluid.density_rate fluid.pressure fluid.mass "
@@ -182,6 +215,12 @@ const std::array<EffectRow, effect_count> table{{
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_hypoelastic(c), "theta", s.method.solid.velocity_filter, 1);
      }},
+    {{Effect::contact, "contact", "solid: contact with other solids and with walls, without friction",
+      "kernels/contact_passes.hpp", wall_columns,
+      "on if there are two total-Lagrangian bodies, or one and a wall, and not all are clamped; may be switched on for "
+      "hypoelastic solids and walls",
+      "f_i = −V_i Σ_j V_j (p_i + p_j) ∇W_ij,  p = k (σ − σ_0)₊,  σ_i = Σ_j V_j W_ij,  j of other bodies"},
+     meeting_of_solids},
     {{Effect::interface_force, "interface_force", "coupling: interface force, reaction, kinematic condition",
       "Antoci2007 eqs. 24-30", element_columns,
       "on if there are a fluid and a solid and method.coupling is \"interface-force\"; cannot be left out then",
@@ -232,12 +271,13 @@ const std::array<EffectRow, effect_count> table{{
                           : Decision{Verdict::impossible, "viscosity = 0"};
      }},
     {{Effect::moving_wall, "moving_wall", "walls: motion by formula or table", "Adami2012 eq. 25",
-      "wall.initial_position wall.velocity", "on if there are a fluid and a wall with a motion",
+      "wall.initial_position wall.velocity",
+      "on if there are a wall with a motion and a fluid, or solids that touch walls (contact)",
       "x(t) = x(0) + u(t),  v = (x(t + Δt) − x(t))/Δt"},
-     [](const Scene&, const SceneContent& c) {
+     [](const Scene& s, const SceneContent& c) {
          if (!c.moving_wall) return Decision{Verdict::impossible, "no wall with a motion"};
-         return c.fluid ? Decision{Verdict::used, "walls: " + c.moving_walls}
-                        : Decision{Verdict::impossible, "no fluid body to move"};
+         return c.fluid || solids_meet_walls(s, c) ? Decision{Verdict::used, "walls: " + c.moving_walls}
+                                                   : Decision{Verdict::impossible, "no fluid body to move"};
      }},
     {{Effect::periodic_box, "periodic_box", "walls: periodic box", "engine/state/images.hpp", "",
       "on if there are a fluid and a periodic axis; cannot be left out then", "x' = x ± L,  all else copied"},
@@ -297,10 +337,13 @@ SceneContent content_of(const Scene& scene) {
         const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
         (is_fluid ? c.fluid : c.solid) = true;
         if (is_fluid && scene.materials[body.material].viscosity > 0) c.viscous = true;
-        if (!is_fluid)
-            (scene.materials[body.material].model == SolidModel::hypoelastic ? c.hypoelastic : c.total_lagrangian) =
-                true;
+        if (!is_fluid) {
+            const bool in_rates = scene.materials[body.material].model == SolidModel::hypoelastic;
+            (in_rates ? c.hypoelastic : c.total_lagrangian) = true;
+            c.total_lagrangian_bodies += in_rates ? 0 : 1;
+        }
         add_name(is_fluid ? c.fluids : c.solids, body.name);
+        if (!is_fluid && !is_held(body)) c.movable = true;
         if (body.clamp) c.clamp = true, add_name(c.clamps, body.name);
         smallest = std::min(smallest, body.spacing);
         largest = std::max(largest, body.spacing);

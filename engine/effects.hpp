@@ -27,6 +27,7 @@ enum class Effect {
     solid_viscosity,
     artificial_stress,
     solid_filter,
+    contact,
     interface_force,
     moving_boundary,
     mirror_wall,
@@ -42,7 +43,7 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 29;
+inline constexpr std::size_t effect_count = 30;
 
 /// One row of the table.
 struct EffectInfo {

@@ -54,12 +54,13 @@ class Simulation {
     WorkCount work() const;
     const PhaseTimer& timer() const;
     EnergyBalance energy() const;
-    Vec<Dim> momentum() const;                   ///< of all moving particles [kg m/s]
-    Vec<Dim> force_on(std::size_t body) const;   ///< of the fluid on a solid body [N; N/m in 2D]
-    InterfaceBalance interface_balance() const;  ///< worst residual over all steps so far
-    double max_mach() const;                     ///< highest |v|/c0 of the fluid so far
-    double max_speed() const;                    ///< highest |v| of the fluid so far [m/s]
-    std::size_t memory_bytes() const;            ///< particle fields and neighbour lists
+    Vec<Dim> momentum() const;                          ///< of all moving particles [kg m/s]
+    Vec<Dim> force_on(std::size_t body) const;          ///< of the fluid on a solid body [N; N/m in 2D]
+    Vec<Dim> contact_force_on(std::size_t body) const;  ///< of what a solid body touches [N; N/m in 2D]
+    InterfaceBalance interface_balance() const;         ///< worst residual over all steps so far
+    double max_mach() const;                            ///< highest |v|/c0 of the fluid so far
+    double max_speed() const;                           ///< highest |v| of the fluid so far [m/s]
+    std::size_t memory_bytes() const;                   ///< particle fields and neighbour lists
 
     /// Index in solid() of the particle with this id.
     const std::vector<Index>& solid_index_of_id() const;

@@ -96,6 +96,7 @@ void Neighborhood<Dim>::sort_solid() {
                       solid.smoothing_length);
     reorder(solid, solid_grid_.order());
     solid_grid_.particles_were_sorted(0);
+    ++solid_layout_;
     solid_index_of_id_.resize(solid.owned);
     for (std::size_t i = 0; i < solid.owned; ++i) solid_index_of_id_[solid.id[i]] = static_cast<Index>(i);
 }
@@ -108,6 +109,7 @@ void Neighborhood<Dim>::sort_walls() {
                      wall.smoothing_length);
     reorder(wall, wall_grid_.order());
     wall_grid_.particles_were_sorted(0);
+    ++wall_layout_;
     make_wall_images();
 }
 

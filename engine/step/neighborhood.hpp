@@ -50,6 +50,9 @@ class Neighborhood {
     void refresh_boundary_friction();
 
     const std::vector<Index>& solid_index_of_id() const { return solid_index_of_id_; }
+    /// These change when particles have changed their places in memory.
+    std::uint64_t solid_layout() const { return solid_layout_; }
+    std::uint64_t wall_layout() const { return wall_layout_; }
     std::uint64_t builds() const { return builds_; }
     std::size_t bytes() const;
 
@@ -97,7 +100,7 @@ class Neighborhood {
     double cell_over_h_;
     double support_;
     SkinAccount fluid_skin_, solid_skin_, coupling_skin_;
-    std::uint64_t builds_ = 0;
+    std::uint64_t builds_ = 0, solid_layout_ = 0, wall_layout_ = 0;
     std::vector<Index> solid_index_of_id_;
     Images<Dim> fluid_images_, wall_images_, element_images_, boundary_images_;
     Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_,

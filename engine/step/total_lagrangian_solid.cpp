@@ -9,7 +9,8 @@
 namespace sluice {
 
 template <int Dim>
-TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context) : c_(context) {
+TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, SolidContact<Dim>& contact)
+    : c_(context), contact_(contact) {
     if (!c_.has(Effect::total_lagrangian)) return;
     const Medium& medium = *c_.state.rubber;
     const MediumMethod& m = c_.scene.method.solid;
@@ -39,7 +40,9 @@ double TotalLagrangianSolid<Dim>::move() {
     double motion = 0;
     for (int s = 0; s < c_.plan.substeps; ++s) {
         kick();
-        motion += drift();
+        const double moved = drift();
+        contact_.add_motion(moved);
+        motion += moved;
         update_stress(c_.neighbors.moving_solid());
         kick();
     }
@@ -89,9 +92,12 @@ void TotalLagrangianSolid<Dim>::update_stress(const NeighborList& accelerated) {
         c_.pairs += elastic_deformation<Dim>(view, c_.neighbors.solid_solid, law_, c_.method, solid.deformation,
                                              solid.corrected_stress);
     }
-    const auto scope = c_.timer.measure(StepPhase::solid_pass);
-    for (auto& column : solid.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
-    c_.pairs += elastic_momentum<Dim>(view, accelerated, viscosity_, c_.method, solid.acceleration);
+    {
+        const auto scope = c_.timer.measure(StepPhase::solid_pass);
+        for (auto& column : solid.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
+        c_.pairs += elastic_momentum<Dim>(view, accelerated, viscosity_, c_.method, solid.acceleration);
+    }
+    contact_.add_forces();
 }
 
 template <int Dim>

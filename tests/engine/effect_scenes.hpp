@@ -71,6 +71,7 @@ inline std::vector<Case> cases() {
         by_key(Effect::solid_viscosity, block, s + "artificial_viscosity", "1", "0"),
         by_key(Effect::artificial_stress, block, s + "artificial_stress", "0.3", "0"),
         by_key(Effect::solid_filter, block, s + "velocity_filter", "0.99", "1"),
+        {Effect::contact, {block + mirror_floor, {total_lagrangian}}, {block, {total_lagrangian}}},
         by_key(Effect::interface_force, both, "method.coupling", "interface-force", "moving-boundary"),
         by_key(Effect::moving_boundary, both, "method.coupling", "moving-boundary", "interface-force"),
         by_content(Effect::mirror_wall, water + mirror_floor, water),

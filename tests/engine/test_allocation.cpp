@@ -83,6 +83,29 @@ normal = [0.0, 1.0, 0.0]
     check_no_allocation(simulation);
 }
 
+TEST_CASE("Nor does a step in which bodies and walls touch") {
+    Simulation<2> simulation(scene_text::load(preamble(0.0025) + R"toml(
+[bodies.lower]
+material = "rubber"
+shape = { box = { min = [-0.02, 0.0], max = [0.02, 0.02] } }
+[bodies.upper]
+material = "rubber"
+shape = { box = { min = [-0.015, 0.021], max = [0.02, 0.04] } }
+velocity = [0.1, -0.2]
+[walls.floor]
+kind = "fixed"
+shape = { box = { min = [-0.03, -0.01], max = [0.03, 0.0] } }
+[walls.side]
+kind = "mirror"
+point = [0.021, 0.0]
+normal = [-1.0, 0.0]
+)toml",
+                                              {"method.preset=modern", "materials.rubber.model=neo-hookean"}));
+    while (simulation.energy().contact == 0 && simulation.time() < 0.1) simulation.step();
+    REQUIRE(simulation.energy().contact > 0);
+    check_no_allocation(simulation);
+}
+
 TEST_CASE("Nor does a step with either solid model and coupling, or with what the modern preset has") {
     const std::string preset = GENERATE("paper", "modern"), coupling = GENERATE("interface-force", "moving-boundary"),
                       model = GENERATE("hypoelastic", "st-venant-kirchhoff");
