@@ -22,6 +22,15 @@ std::string text_of(const std::filesystem::path& file) {
     return text.str();
 }
 
+/// The last line that says something, without the blanks around it.
+std::string last_line(const std::string& text) {
+    const std::size_t end = text.find_last_not_of(" \t\r\n");
+    if (end == std::string::npos) return "";
+    const std::size_t line = text.find_last_of("\r\n", end);
+    const std::size_t start = text.find_first_not_of(" \t\r\n", line == std::string::npos ? 0 : line);
+    return text.substr(start, end + 1 - start);
+}
+
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 // Exit codes of `sluice run` (command/exit_code.hpp) that say something about the scene; all others about the machine.
@@ -30,8 +39,12 @@ constexpr int numerical_failure = 1, bad_input = 2;
 }  // namespace
 
 std::string failure_reason(const ChildEnd& end, const std::filesystem::path& folder) {
-    if (end.signal != 0) return fmt::format("ended by signal {} ({})", end.signal, ::strsignal(end.signal));
     const std::string log = text_of(folder / log_name);
+    if (end.signal != 0) {
+        const std::string words = last_line(log);
+        return fmt::format("ended by signal {} ({}){}{}", end.signal, ::strsignal(end.signal),
+                           words.empty() ? "" : "; last words: ", words);
+    }
     const std::string mark = "sluice: error: ";
     const std::size_t at = log.rfind(mark);
     if (at != std::string::npos) return first_line(log.substr(at + mark.size()));
