@@ -17,9 +17,13 @@ using Points = std::vector<const StudyPoint*>;
 
 /// Spacings within this of each other are the same, differently rounded.
 constexpr double same_spacing = 0.005;
+/// Likewise errors: a target of 1 % is met by 0.1² as computers have it.
+constexpr double same_error = 1e-9;
 /// How far beyond the finest spacing slopes are followed.
 constexpr double reach = 0.5;
 constexpr double least_slope = 0.5;
+/// Methods that a sentence names.
+constexpr std::size_t most_named = 4;
 
 double error_of(const StudyPoint* p, std::size_t quantity) { return *p->error[quantity]; }
 
@@ -72,7 +76,7 @@ std::optional<Choice> choice_for(const Study& study, std::size_t quantity, std::
     const Points points = points_of(study, method, quantity);
     if (points.empty()) return std::nullopt;
     std::size_t first = points.size();
-    while (first > 0 && error_of(points[first - 1], quantity) <= target) --first;
+    while (first > 0 && error_of(points[first - 1], quantity) <= target * (1 + same_error)) --first;
     if (first == points.size()) {
         const auto slope = error_slope(points, quantity);
         if (!slope) return std::nullopt;
@@ -80,7 +84,7 @@ std::optional<Choice> choice_for(const Study& study, std::size_t quantity, std::
         return beyond(study, quantity, points, last.spacing * std::pow(target / last.error, 1 / *slope));
     }
     const Choice fine = measured(points[first], quantity);
-    if (first == 0 || !(fine.error > 0) || fine.error == target) return fine;
+    if (first == 0 || !(fine.error > 0) || fine.error >= target) return fine;
     const Choice coarse = measured(points[first - 1], quantity);
     const double share = std::log(coarse.error / target) / std::log(coarse.error / fine.error);
     const Choice found = between(coarse, fine, share);
@@ -114,6 +118,26 @@ std::string limit_text(const Study& study, const Quantity& q, std::size_t quanti
                                    with_unit(*q.uncertainty * q.scale, q.unit), whose);
     if (least_error(study, quantity) > *q.uncertainty) text += "; no run comes that near";
     return text + ".";
+}
+
+/// What other methods need for the same: the nearest ones, the rest as a number.
+std::string others_text(const Study& study, const std::vector<Choice>& choices) {
+    std::string text;
+    for (std::size_t i = 1; i < std::min(choices.size(), 1 + most_named); ++i)
+        text += fmt::format("{}{} {} ({} times)", i == 1 ? " Others: " : "; ", study.methods[choices[i].method],
+                            seconds_text(choices[i].cpu), ratio_text(choices[i].cpu / choices.front().cpu));
+    if (choices.size() > 1 + most_named) text += fmt::format("; {} more", choices.size() - 1 - most_named);
+    return text.empty() ? text : text + ".";
+}
+
+std::string missed_text(const Study& study, const std::vector<Choice>& choices) {
+    std::vector<std::string> missed;
+    for (std::size_t m = 0; m < study.methods.size(); ++m)
+        if (std::none_of(choices.begin(), choices.end(), [m](const Choice& c) { return c.method == m; }))
+            missed.push_back(study.methods[m]);
+    if (missed.empty()) return "";
+    if (missed.size() > most_named) return fmt::format(" {} methods do not reach it.", missed.size());
+    return fmt::format(" Not reached by: {}.", fmt::join(missed, "; "));
 }
 
 }  // namespace
@@ -159,17 +183,9 @@ std::string target_text(const Study& study, std::size_t quantity, double target)
     if (choices.empty())
         return fmt::format("For {} in {}: not reached; the best run has {}.", percent_text(target), name,
                            percent_text(least_error(study, quantity)));
-    std::string text =
+    const std::string text =
         fmt::format("For {} in {}: {}.", percent_text(target), name, choice_text(study, choices.front()));
-    for (std::size_t i = 1; i < choices.size(); ++i)
-        text += fmt::format("{}{} {} ({} times)", i == 1 ? " Others: " : "; ", study.methods[choices[i].method],
-                            seconds_text(choices[i].cpu), ratio_text(choices[i].cpu / choices.front().cpu));
-    if (choices.size() > 1) text += ".";
-    std::string missed;
-    for (std::size_t m = 0; m < study.methods.size(); ++m)
-        if (std::none_of(choices.begin(), choices.end(), [m](const Choice& c) { return c.method == m; }))
-            missed += (missed.empty() ? "" : "; ") + study.methods[m];
-    return missed.empty() ? text : text + " Not reached by: " + missed + ".";
+    return text + others_text(study, choices) + missed_text(study, choices);
 }
 
 std::vector<std::string> advice(const Study& study) {
@@ -181,8 +197,10 @@ std::vector<std::string> advice(const Study& study) {
             continue;
         }
         std::string line = target_text(study, q, *target);
-        const auto now = choices_for(study, q, *target), half = choices_for(study, q, *target / 2);
-        if (!half.empty() && !now.empty())
+        const std::vector<Choice> now = choices_for(study, q, *target), half = choices_for(study, q, *target / 2);
+        if (!half.empty() && half.front().basis == Basis::measured && half.front().cpu == now.front().cpu)
+            line += " The same run has half the error.";
+        else if (!half.empty() && !now.empty())
             line += fmt::format(" Half the error: {}, {} times the cost.", choice_text(study, half.front()),
                                 ratio_text(half.front().cpu / now.front().cpu));
         const std::string limit = limit_text(study, study.quantities[q], q);

@@ -21,6 +21,7 @@ constexpr double page_width = 940, left_margin = 78, right_margin = 300, top_mar
 constexpr double least_height = 380, axis_room = 52, footer_line = 17, block_gap = 8;
 constexpr double name_size = 12.5, note_size = 11, spacing_size = 10.5, name_line = 16, note_line = 15;
 constexpr std::size_t name_letters = 38;  ///< that fit into the right margin
+constexpr std::size_t crowd = 30;         ///< points that all find room for their spacing
 constexpr double padding = 1.3;           ///< of the ranges, as a factor
 /// How far the axis of errors is stretched to show the truth's uncertainty, as a factor.
 constexpr double stretch = 8;
@@ -74,7 +75,7 @@ class Diagram {
         draw_names();
         for (const Line& line : lines_) draw_line(line);
         for (const Line& line : lines_) draw_points(line);
-        for (const Line& line : lines_) draw_spacings(line);
+        draw_spacings();
         draw_footer();
         return svg_;
     }
@@ -163,7 +164,12 @@ class Diagram {
 
     void collect_obstacles() {
         for (const Line& line : lines_) {
-            for (const Place& p : line.places) labels_.add_obstacle({p.x - 6, p.y - 6, p.x + 6, p.y + 6});
+            for (std::size_t i = 0; i < line.points.size(); ++i) {
+                const Place p = line.places[i];
+                const auto [least, most] = std::minmax_element(line.points[i]->cpu.begin(), line.points[i]->cpu.end());
+                labels_.add_obstacle({p.x - 6, p.y - 6, p.x + 6, p.y + 6});
+                labels_.add_stroke({{x_(*least), p.y}, {x_(*most), p.y}});
+            }
             labels_.add_stroke(line.places);
         }
     }
@@ -273,20 +279,31 @@ class Diagram {
         }
     }
 
-    void draw_spacings(const Line& line) {
-        for (std::size_t i = 0; i < line.points.size(); ++i) {
-            const std::string words = length_text(line.points[i]->spacing);
-            const Place p = line.places[i];
-            const auto box = labels_.place_beside(p, text_width(words, spacing_size), spacing_size);
-            if (!box) continue;  // the point's title has it
-            const Place middle{0.5 * (box->left + box->right), 0.5 * (box->top + box->bottom)};
-            const Place edge{std::clamp(p.x, box->left, box->right), std::clamp(p.y, box->top, box->bottom)};
-            if (std::hypot(edge.x - p.x, edge.y - p.y) > 15)
-                svg_.line(p, edge, "stroke=\"#999999\" stroke-width=\"0.6\"");
-            svg_.text({middle.x, box->bottom - 1.5}, words,
-                      fmt::format("class=\"spacing\" text-anchor=\"middle\" font-size=\"{}\" fill=\"#333333\"",
-                                  spacing_size));
-        }
+    /// The front's points first; in a crowd the others only where there is room right beside them.
+    void draw_spacings() {
+        const std::vector<const StudyPoint*> best = front();
+        std::size_t count = 0;
+        for (const Line& line : lines_) count += line.points.size();
+        for (const bool of_front : {true, false})
+            for (const Line& line : lines_)
+                for (std::size_t i = 0; i < line.points.size(); ++i) {
+                    const bool on_front = std::find(best.begin(), best.end(), line.points[i]) != best.end();
+                    if (on_front == of_front)
+                        draw_spacing(line.places[i], length_text(line.points[i]->spacing),
+                                     on_front || count <= crowd ? LabelLayout::farthest : LabelLayout::beside);
+                }
+    }
+
+    /// Where there is no room the point's title has it.
+    void draw_spacing(Place p, const std::string& words, double reach) {
+        const auto box = labels_.place_beside(p, text_width(words, spacing_size), spacing_size, reach);
+        if (!box) return;
+        const Place edge{std::clamp(p.x, box->left, box->right), std::clamp(p.y, box->top, box->bottom)};
+        if (std::hypot(edge.x - p.x, edge.y - p.y) > LabelLayout::beside + 1)
+            svg_.line(p, edge, "stroke=\"#999999\" stroke-width=\"0.6\"");
+        svg_.text(
+            {0.5 * (box->left + box->right), box->bottom - 1.5}, words,
+            fmt::format("class=\"spacing\" text-anchor=\"middle\" font-size=\"{}\" fill=\"#333333\"", spacing_size));
     }
 
     std::vector<std::string> footer() const {

@@ -31,7 +31,8 @@ std::string raised(const std::string& exponent, double size) {
 }  // namespace
 
 LineStyle line_style(std::size_t method) {
-    return {colours[method % colours.size()], method % shapes.size(), dashes[method / colours.size() % dashes.size()]};
+    return {colours[method % colours.size()], (method + method / colours.size()) % shapes.size(),
+            dashes[method / colours.size() % dashes.size()]};
 }
 
 std::string mark_element(const LineStyle& style, Place at, const std::string& attributes, const std::string& title) {

@@ -13,7 +13,8 @@ constexpr double stroke_step = 3;  ///< [px]
 /// Middles of words around a point, best first: right above, below, and so on round.
 constexpr std::array<Place, 8> directions{
     {{0.7, -0.7}, {-0.7, -0.7}, {0.7, 0.7}, {-0.7, 0.7}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}}};
-constexpr std::array<double, 4> distances{7, 11, 18, 28};  ///< of the word's edge from the point [px]
+constexpr std::array<double, 4> distances{7, LabelLayout::beside, 18, LabelLayout::farthest};
+constexpr double gap = 2;  ///< between words [px]
 
 Box around(Place middle, double width, double height) {
     return {middle.x - width / 2, middle.y - height / 2, middle.x + width / 2, middle.y + height / 2};
@@ -51,9 +52,11 @@ std::optional<Box> LabelLayout::place(const std::vector<Box>& candidates) {
     return best;
 }
 
-std::optional<Box> LabelLayout::place_beside(Place point, double width, double height) {
+std::optional<Box> LabelLayout::place_beside(Place point, double width, double height, double reach) {
     std::vector<Box> candidates;
-    for (const double distance : distances)
+    width += gap;
+    for (const double distance : distances) {
+        if (distance > reach) break;
         for (const Place& d : directions)
             candidates.push_back(around({point.x + d.x * distance +
                                              (d.x > 0   ? 0.5
@@ -66,6 +69,7 @@ std::optional<Box> LabelLayout::place_beside(Place point, double width, double h
                                                         : 0) *
                                                  height},
                                         width, height));
+    }
     return place(candidates);
 }
 

@@ -23,8 +23,10 @@ class LabelLayout {
     /// becomes an obstacle. None if all cover one.
     std::optional<Box> place(const std::vector<Box>& candidates);
 
-    /// A box for a word beside a point, the nearer the better.
-    std::optional<Box> place_beside(Place point, double width, double height);
+    /// A box for a word beside a point, the nearer the better; no farther than `reach`.
+    std::optional<Box> place_beside(Place point, double width, double height, double reach = farthest);
+
+    static constexpr double farthest = 28, beside = 11;  ///< of a word's edge from its point [px]
 
   private:
     std::size_t strokes_under(const Box& box) const;

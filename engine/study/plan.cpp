@@ -40,6 +40,12 @@ std::vector<std::string> shared_settings(const StudyOptions& options) {
     return settings;
 }
 
+/// A study is read elsewhere, where the scene's folder means nothing.
+std::string without_folder(const std::string& message, const std::string& scene) {
+    if (!message.starts_with(scene)) return message;
+    return std::filesystem::path(scene).filename().string() + message.substr(scene.size());
+}
+
 PlannedRun plan_run(const StudyOptions& options, const Study& study, StudyPoint& point) {
     PlannedRun run;
     run.overrides = study.settings;
@@ -49,7 +55,7 @@ PlannedRun plan_run(const StudyOptions& options, const Study& study, StudyPoint&
         point.spacing = scene.method.spacing;
         run.key = text_hash(scene.source + fmt::format("\n{} threads, {}", options.threads, program_version()));
     } catch (const SceneError& error) {
-        run.refusal = error.what();
+        run.refusal = without_folder(error.what(), options.scene);
     }
     return run;
 }
@@ -107,7 +113,7 @@ Plan make_plan(const StudyOptions& options) {
         study.points.push_back(std::move(point));
     }
     if (std::all_of(plan.runs.begin(), plan.runs.end(), [](const PlannedRun& r) { return !r.refusal.empty(); }))
-        throw SceneError(plan.runs.front().refusal);
+        load_scene(options.scene, plan.runs.front().overrides);  // throws it in full
     return plan;
 }
 

@@ -106,6 +106,8 @@ std::string meaning_of(const Reference& reference) {
     const char* from = is_pointwise(reference.measure) ? "from" : "against";
     if (reference.number)
         text += fmt::format(" {} {:.6g}", from, *reference.number);
+    else if (reference.formula.find('t') == std::string::npos && !reference.formula.empty())
+        text += fmt::format(" {} {}", from, reference.formula);  // no function of time
     else if (!reference.formula.empty())
         text += fmt::format(" {} the exact solution", from);
     else if (!reference.time.empty())

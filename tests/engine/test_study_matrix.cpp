@@ -137,10 +137,10 @@ TEST_CASE("Advice: the cheapest spacing from which on down the error is kept", "
     CHECK(study.methods[choices[0].method] == "mixed");
     CHECK(choices[0].basis == Basis::measured);
     CHECK(choices[0].spacing == 0.1);
-    const Choice between = choices_for(study, 0, 0.02).front();
+    const Choice between = choices_for(study, 0, 0.0145).front();
     CHECK(between.basis == Basis::interpolated);
-    CHECK(between.spacing == Approx(std::sqrt(0.02)).epsilon(1e-10));
-    CHECK(between.cpu == Approx(std::pow(0.02, -1.5)).epsilon(1e-10));
+    CHECK(between.spacing == Approx(std::sqrt(0.0145)).epsilon(1e-10));
+    CHECK(between.cpu == Approx(std::pow(0.0145, -1.5)).epsilon(1e-10));
     const Choice beyond = choices_for(study, 0, 0.05 * 0.05 / 2).front();
     CHECK(beyond.basis == Basis::extrapolated);
     CHECK(beyond.spacing == Approx(0.05 / std::sqrt(2)).epsilon(1e-10));
