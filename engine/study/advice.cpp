@@ -114,7 +114,7 @@ std::string with_unit(double value, const std::string& unit) {
 std::string limit_text(const Study& study, const Quantity& q, std::size_t quantity) {
     if (!q.uncertainty || !(*q.uncertainty > 0)) return "";
     const std::string whose = q.extrapolated ? "the extrapolation's" : "the reference's";
-    std::string text = fmt::format("Below {} ({}) {} own uncertainty hides any gain", percent_text(*q.uncertainty),
+    std::string text = fmt::format(" Below {} ({}) {} own uncertainty hides any gain", percent_text(*q.uncertainty),
                                    with_unit(*q.uncertainty * q.scale, q.unit), whose);
     if (least_error(study, quantity) > *q.uncertainty) text += "; no run comes that near";
     return text + ".";
@@ -138,6 +138,18 @@ std::string missed_text(const Study& study, const std::vector<Choice>& choices) 
     if (missed.empty()) return "";
     if (missed.size() > most_named) return fmt::format(" {} methods do not reach it.", missed.size());
     return fmt::format(" Not reached by: {}.", fmt::join(missed, "; "));
+}
+
+/// What half of an error costs; nothing where the truth's uncertainty would hide it.
+std::string half_text(const Study& study, std::size_t quantity, double target) {
+    if (target / 2 < study.quantities[quantity].uncertainty.value_or(0)) return "";
+    const std::vector<Choice> now = choices_for(study, quantity, target);
+    const std::vector<Choice> half = choices_for(study, quantity, target / 2);
+    if (now.empty() || half.empty()) return "";
+    if (half.front().basis == Basis::measured && half.front().cpu == now.front().cpu)
+        return " The same run has half the error.";
+    return fmt::format(" Half the error: {}, {} times the cost.", choice_text(study, half.front()),
+                       ratio_text(half.front().cpu / now.front().cpu));
 }
 
 }  // namespace
@@ -192,19 +204,16 @@ std::vector<std::string> advice(const Study& study) {
     std::vector<std::string> lines;
     for (std::size_t q = 0; q < study.quantities.size(); ++q) {
         const auto target = target_of(study, q);
-        if (!target) {
-            lines.push_back(fmt::format("{}: no run could be measured.", study.quantities[q].name));
+        const double hidden = study.quantities[q].uncertainty.value_or(0);
+        if (!target || hidden >= 1) {
+            const std::string why =
+                !target ? "no run could be measured"
+                        : fmt::format("its truth is known to {} only, nothing can be advised", percent_text(hidden));
+            lines.push_back(fmt::format("{}: {}.", study.quantities[q].name, why));
             continue;
         }
-        std::string line = target_text(study, q, *target);
-        const std::vector<Choice> now = choices_for(study, q, *target), half = choices_for(study, q, *target / 2);
-        if (!half.empty() && half.front().basis == Basis::measured && half.front().cpu == now.front().cpu)
-            line += " The same run has half the error.";
-        else if (!half.empty() && !now.empty())
-            line += fmt::format(" Half the error: {}, {} times the cost.", choice_text(study, half.front()),
-                                ratio_text(half.front().cpu / now.front().cpu));
-        const std::string limit = limit_text(study, study.quantities[q], q);
-        lines.push_back(limit.empty() ? line : line + " " + limit);
+        lines.push_back(target_text(study, q, *target) + half_text(study, q, *target) +
+                        limit_text(study, study.quantities[q], q));
     }
     return lines;
 }

@@ -301,9 +301,10 @@ class Diagram {
         const Place edge{std::clamp(p.x, box->left, box->right), std::clamp(p.y, box->top, box->bottom)};
         if (std::hypot(edge.x - p.x, edge.y - p.y) > LabelLayout::beside + 1)
             svg_.line(p, edge, "stroke=\"#999999\" stroke-width=\"0.6\"");
-        svg_.text(
-            {0.5 * (box->left + box->right), box->bottom - 1.5}, words,
-            fmt::format("class=\"spacing\" text-anchor=\"middle\" font-size=\"{}\" fill=\"#333333\"", spacing_size));
+        svg_.text({0.5 * (box->left + box->right), box->bottom - 1.5}, words,
+                  fmt::format("class=\"spacing\" stroke=\"#ffffff\" stroke-width=\"2.5\" stroke-opacity=\"0.75\" "
+                              "paint-order=\"stroke\" text-anchor=\"middle\" font-size=\"{}\" fill=\"#333333\"",
+                              spacing_size));
     }
 
     std::vector<std::string> footer() const {

@@ -89,13 +89,16 @@ void add_unstated(Study& study, Quantity quantity, const Reference& reference, c
     if (best) {
         quantity.scale = reference.scale.value_or(size_of(best->limit.value));
         quantity.note = best->method + ": " + best->limit.note;
+        if (study.methods.size() > 1) quantity.note += "; other methods' distance from this one counts as their error";
         if (quantity.scale > 0) quantity.uncertainty = best->limit.uncertainty / quantity.scale;
     } else {
         quantity.note = "no method has two runs that could be compared";
     }
+    // A run that itself stands for the truth, and its like in other precision, would seem to have no error.
+    const double truth_spacing = best && !best->limit.is_credible ? best->spacing : 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
         std::optional<double> error;
-        if (best && quantity.scale > 0 && !results[i].empty())
+        if (best && quantity.scale > 0 && !results[i].empty() && study.points[i].spacing > truth_spacing)
             error = distance_of(results[i], best->limit.value, reference.measure) / quantity.scale;
         study.points[i].error.push_back(error);
     }

@@ -21,7 +21,7 @@ p.facts { color: #555; margin: 0 0 1.5em; } ul.advice { padding-left: 1.2em; } u
 svg { max-width: 100%; height: auto; display: block; margin: 0 0 1.5em; }
 table { border-collapse: collapse; font-size: .88em; width: 100%; } th { text-align: left; border-bottom: 1px solid #888; }
 th, td { padding: .25em .7em .25em 0; vertical-align: top; } td { border-bottom: 1px solid #e6e6e6; }
-.n { text-align: right; font-variant-numeric: tabular-nums; } tr.failed td { color: #a03000; }
+.n { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; } tr.failed td { color: #a03000; }
 td.band { color: #888; } @media print { body { margin: 0; } svg, tr { break-inside: avoid; } }
 )";
 

@@ -16,7 +16,10 @@ std::string two_digits(double value) {
 
 }  // namespace
 
-std::string percent_text(double share) { return two_digits(100 * share) + " %"; }
+std::string percent_text(double share) {
+    if (share > 0 && share < 1e-6) return fmt::format("{:.0e} %", 100 * share);  // more zeros than anyone counts
+    return two_digits(100 * share) + " %";
+}
 
 std::string length_text(double metres) {
     if (metres >= 1) return fmt::format("{:.3g} m", metres);

@@ -32,7 +32,7 @@ inline sluice::Study two_methods() {
     study.repeats = 3;
     study.axes = {{"method.spacing", {"0.4", "0.2", "0.1", "0.05"}}, {"method.precision", {"mixed", "double"}}};
     study.methods = {"mixed", "double"};
-    study.quantities = {{"tip", "peak of tip.x against reference.csv", 1.0, "m", 0.003, false, "an experiment"},
+    study.quantities = {{"tip", "peak of tip.x against reference.csv", 1.0, "m", 0.002, false, "an experiment"},
                         {"level", "RMS distance of level from the finest runs", 0.5, "m", 0.01, true, "order 1.9"}};
     for (const double d : {0.4, 0.2, 0.1, 0.05}) {
         study.points.push_back(point("mixed", d, std::pow(d, -3), d * d));

@@ -175,6 +175,13 @@ TEST_CASE("Without a stated truth a study measures against the limit of its fine
     CHECK_THAT(q.note, Contains("a: extrapolated") && Contains("2.00"));
     const double wanted[]{16, 4, 1, 4, 2};
     for (std::size_t i = 0; i < 5; ++i) CHECK(*study.points[i].error[2] == Approx(wanted[i]).epsilon(1e-10));
+    // Without the coarsest of a's, its finest stands for the truth: it has no error, and the others' is from it.
+    study.points[0].state = PointState::failed;
+    curves[0].reset();
+    measure_errors(study, scene, curves);
+    CHECK_THAT(study.quantities[2].note, Contains("only two spacings"));
+    CHECK_FALSE(study.points[2].error[2]);
+    CHECK(*study.points[1].error[2] == Approx(3.0 / 2).epsilon(1e-12));  // 5 and 2, over the size 2
     // A displacement that is 0 throughout has no size that errors could refer to.
-    CHECK_FALSE(study.points[0].error[0]);
+    CHECK_FALSE(study.points[1].error[0]);
 }

@@ -155,7 +155,7 @@ TEST_CASE("Advice: the cheapest spacing from which on down the error is kept", "
     const std::string text = advice(study)[0];
     CHECK_THAT(text, Contains("For 0.50 % in tip: spacing 70.7 mm, mixed: 2828 CPU-s (interpolated)."));
     CHECK_THAT(text, Contains("Half the error: spacing 50 mm, mixed: 8000 CPU-s, 2.8 times the cost."));
-    CHECK_THAT(text, Contains("Below 0.30 % (3 mm) the reference's own uncertainty hides any gain."));
+    CHECK_THAT(text, Contains("Below 0.20 % (2 mm) the reference's own uncertainty hides any gain."));
 }
 
 TEST_CASE("A stored study is recognised by its scene, whatever is varied and written", "[study]") {

@@ -70,7 +70,7 @@ TEST_CASE("A diagram is well-formed and has each run that is done", "[study]") {
     CHECK(count(one, "class=\"method\"") == 2);
     CHECK(count(one, "class=\"spacing\"") == 8);
     CHECK(count(one, "class=\"front\"") == 1);
-    CHECK_THAT(one, Contains("below 0.30 % more accuracy buys nothing"));
+    CHECK_THAT(one, Contains("below 0.20 % more accuracy buys nothing"));
     CHECK_THAT(one, Contains("A &lt;made-up&gt; study &amp; its scene"));
     CHECK_THAT(one, Contains("1 of 9 settings failed"));
     // Slopes of the first method, exact: −3 and 2.
