@@ -66,6 +66,11 @@ std::optional<BestKnown> best_known(const Study& study, const std::vector<std::v
     return best;
 }
 
+/// An error that is not finite is none: a run may have written such a value and gone on.
+void add_error(StudyPoint& point, const std::optional<double>& error) {
+    point.error.push_back(error && std::isfinite(*error) ? error : std::nullopt);
+}
+
 double size_of(const std::vector<double>& values) {
     double size = 0;
     for (const double value : values) size = std::max(size, std::abs(value));
@@ -100,7 +105,7 @@ void add_unstated(Study& study, Quantity quantity, const Reference& reference, c
         std::optional<double> error;
         if (best && quantity.scale > 0 && !results[i].empty() && study.points[i].spacing > truth_spacing)
             error = distance_of(results[i], best->limit.value, reference.measure) / quantity.scale;
-        study.points[i].error.push_back(error);
+        add_error(study.points[i], error);
     }
     study.quantities.push_back(std::move(quantity));
 }
@@ -113,7 +118,7 @@ void add_stated(Study& study, const Scene& scene, Quantity quantity, const Refer
         std::optional<double> error;
         if (tables[i]) error = stated_error(scene, reference, tables[i]->curve(reference.column));
         if (error) *error /= quantity.scale;
-        study.points[i].error.push_back(error);
+        add_error(study.points[i], error);
     }
     study.quantities.push_back(std::move(quantity));
 }

@@ -159,7 +159,7 @@ std::string csv_text(const Study& study) {
     std::string text;
     for (const Axis& axis : study.axes) text += cell(axis.key) + ",";
     text += "method,spacing [m],state,runs,CPU time [s],wall time [s]";
-    for (const Quantity& q : study.quantities) text += "," + cell("error of " + q.name);
+    for (const Quantity& q : study.quantities) text += fmt::format(",{}", cell("error of " + q.name));
     text += ",reason\n";
     for (const StudyPoint& p : study.points) {
         for (const std::string& value : p.values) text += cell(value) + ",";
@@ -167,7 +167,7 @@ std::string csv_text(const Study& study) {
                             state_names[static_cast<std::size_t>(p.state)], p.cpu.size());
         text += p.cpu.empty() ? "," : fmt::format("{},{}", p.cpu_seconds(), p.wall_seconds());
         for (const auto& error : p.error) text += error ? fmt::format(",{}", *error) : ",";
-        text += "," + cell(p.reason) + "\n";
+        text += fmt::format(",{}\n", cell(p.reason));
     }
     return text;
 }
