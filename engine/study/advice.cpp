@@ -35,6 +35,10 @@ std::optional<double> error_slope(const Points& points, std::size_t quantity) {
         error.push_back(error_of(p, quantity));
     }
     if (points.size() < 3) return std::nullopt;
+    // What has levelled off does not fall again, however steep it was before.
+    const std::size_t n = points.size();
+    const auto last = fit_power({spacing[n - 2], spacing[n - 1]}, {error[n - 2], error[n - 1]});
+    if (!last || last->exponent < least_slope) return std::nullopt;
     const auto fit = fit_power(spacing, error);
     if (!fit || fit->exponent < least_slope || fit->exponent < 2 * fit->uncertainty.value_or(0)) return std::nullopt;
     return fit->exponent;

@@ -23,7 +23,7 @@ struct Choice {
 
 /// For each method that reaches the error, the largest spacing from which on down all runs keep it; cheapest first.
 /// Beyond its finest spacing a method is followed to half of it at the most, and only where the slope of its errors is
-/// known (three points or more, at least 0.5, twice its scatter).
+/// known (three points or more, at least 0.5, twice its scatter, and at least 0.5 in the last step as well).
 std::vector<Choice> choices_for(const Study& study, std::size_t quantity, double target);
 
 /// What to expect of a method at a spacing; none beyond what choices_for() would follow.

@@ -14,7 +14,7 @@ constexpr double stroke_step = 3;  ///< [px]
 constexpr std::array<Place, 8> directions{
     {{0.7, -0.7}, {-0.7, -0.7}, {0.7, 0.7}, {-0.7, 0.7}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}}};
 constexpr std::array<double, 4> distances{7, LabelLayout::beside, 18, LabelLayout::farthest};
-constexpr double gap = 2;  ///< between words [px]
+constexpr double gap = 6;  ///< words closer than this read as one [px]
 
 Box around(Place middle, double width, double height) {
     return {middle.x - width / 2, middle.y - height / 2, middle.x + width / 2, middle.y + height / 2};

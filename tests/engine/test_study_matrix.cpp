@@ -145,6 +145,10 @@ TEST_CASE("Advice: the cheapest spacing from which on down the error is kept", "
     CHECK(beyond.basis == Basis::extrapolated);
     CHECK(beyond.spacing == Approx(0.05 / std::sqrt(2)).epsilon(1e-10));
     CHECK(choices_for(study, 0, 0.05 * 0.05 / 8).empty());  // less than half of the finest spacing
+    Study level = study;                                    // an error that no longer falls is not followed
+    for (StudyPoint& p : level.points)
+        if (p.spacing == 0.05) p.error[0] = 0.009;
+    CHECK(choices_for(level, 0, 0.008).empty());
     // Slow: its error is small by luck at 0.2, larger at 0.1: what counts is the spacing from which it stays small.
     const Choice slow = choices[1];
     CHECK(slow.spacing < 0.1);
@@ -155,7 +159,8 @@ TEST_CASE("Advice: the cheapest spacing from which on down the error is kept", "
     const std::string text = advice(study)[0];
     CHECK_THAT(text, Contains("For 0.50 % in tip: spacing 70.7 mm, mixed: 2828 CPU-s (interpolated)."));
     CHECK_THAT(text, Contains("Half the error: spacing 50 mm, mixed: 8000 CPU-s, 2.8 times the cost."));
-    CHECK_THAT(text, Contains("Below 0.20 % (2 mm) the reference's own uncertainty hides any gain."));
+    CHECK_THAT(text,
+               Contains("Below 0.20 % (2 mm) the reference's own uncertainty hides any gain; no run comes that near."));
 }
 
 TEST_CASE("A stored study is recognised by its scene, whatever is varied and written", "[study]") {
