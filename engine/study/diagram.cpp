@@ -21,6 +21,7 @@ constexpr double page_width = 940, left_margin = 78, right_margin = 300, top_mar
 constexpr double least_height = 380, axis_room = 52, footer_line = 17, block_gap = 8;
 constexpr double name_size = 12.5, note_size = 11, spacing_size = 10.5, name_line = 16, note_line = 15;
 constexpr std::size_t name_letters = 38;  ///< that fit into the right margin
+constexpr double mark_size = 10;          ///< marks nearer than this share their words
 constexpr std::size_t crowd = 30;         ///< points that all find room for their spacing
 constexpr double padding = 1.3;           ///< of the ranges, as a factor
 /// How far the axis of errors is stretched to show the truth's uncertainty, as a factor.
@@ -58,7 +59,7 @@ class Diagram {
           svg_(page_width, plot_.bottom + axis_room + footer_line * static_cast<double>(footer().size()) + 8),
           x_(cost_axis()),
           y_(error_axis()),
-          labels_(plot_) {}
+          labels_({plot_.left, plot_.top, plot_.right + 14, plot_.bottom}) {}
 
     Svg draw() {
         draw_heading();
@@ -296,8 +297,13 @@ class Diagram {
 
     /// Where there is no room the point's title has it.
     void draw_spacing(Place p, const std::string& words, double reach) {
+        const auto says_it = [&](const auto& told) {
+            return told.second == words && std::hypot(told.first.x - p.x, told.first.y - p.y) < mark_size;
+        };
+        if (std::any_of(told_.begin(), told_.end(), says_it)) return;
         const auto box = labels_.place_beside(p, text_width(words, spacing_size), spacing_size, reach);
         if (!box) return;
+        told_.emplace_back(p, words);
         const Place edge{std::clamp(p.x, box->left, box->right), std::clamp(p.y, box->top, box->bottom)};
         if (std::hypot(edge.x - p.x, edge.y - p.y) > LabelLayout::beside + 1)
             svg_.line(p, edge, "stroke=\"#999999\" stroke-width=\"0.6\"");
@@ -335,6 +341,7 @@ class Diagram {
     Svg svg_;
     LogAxis x_, y_;
     LabelLayout labels_;
+    std::vector<std::pair<Place, std::string>> told_;  ///< spacings that have their words
 };
 
 }  // namespace

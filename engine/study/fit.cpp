@@ -5,6 +5,11 @@
 #include <numeric>
 
 namespace sluice {
+namespace {
+
+constexpr double worth_paying = 0.99;
+
+}  // namespace
 
 std::optional<PowerFit> fit_power(const std::vector<double>& x, const std::vector<double>& y) {
     const auto n = static_cast<double>(x.size());
@@ -40,7 +45,7 @@ std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points) {
     });
     std::vector<std::size_t> front;
     for (const std::size_t i : order)
-        if (front.empty() || points[i].error < points[front.back()].error) front.push_back(i);
+        if (front.empty() || points[i].error < worth_paying * points[front.back()].error) front.push_back(i);
     return front;
 }
 

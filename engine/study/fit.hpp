@@ -21,7 +21,8 @@ struct CostAndError {
     double error = 0;
 };
 
-/// Indices of those that no other beats in one without losing in the other, by rising cost.
+/// Indices of those that no other beats in one without losing in the other, by rising cost. An error within 1 % of
+/// another's is no better: nobody would pay for it.
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points);
 
 }  // namespace sluice

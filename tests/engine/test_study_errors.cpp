@@ -141,6 +141,7 @@ TEST_CASE("Slopes are exact on power laws and state their scatter otherwise", "[
 TEST_CASE("The Pareto front keeps what nothing beats", "[study]") {
     const std::vector<CostAndError> points{{4, 0.1}, {1, 1}, {2, 2}, {2, 0.5}, {3, 0.5}, {8, 0.2}, {9, 0.05}};
     CHECK(pareto_front(points) == std::vector<std::size_t>{1, 3, 0, 6});
+    CHECK(pareto_front({{1, 1}, {2, 0.995}, {3, 0.98}}) == std::vector<std::size_t>{0, 2});
     CHECK(pareto_front({}).empty());
 }
 
