@@ -9,6 +9,7 @@
 #include "engine/command/scene_options.hpp"
 #include "engine/command/thread_settings.hpp"
 #include "engine/run.hpp"
+#include "engine/study/stored_study.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {
@@ -28,14 +29,6 @@ std::vector<std::string> isa_names() {
     return names;
 }
 
-/// results/NAME, where NAME is the scene file's, or its folder's if all scenes are called `scene`.
-std::filesystem::path default_directory(const std::string& scene_file) {
-    const std::filesystem::path file = std::filesystem::absolute(scene_file).lexically_normal();
-    const std::filesystem::path folder = file.parent_path().filename();
-    const bool by_folder = file.stem() == "scene" && !folder.empty();
-    return std::filesystem::path("results") / (by_folder ? folder : file.stem());
-}
-
 ExitCode run_scene(const RunArguments& arguments) {
     use_thread_settings(arguments.threads);
     if (!arguments.isa.empty()) use_isa(arguments.isa);
@@ -44,7 +37,8 @@ ExitCode run_scene(const RunArguments& arguments) {
     if (directory.empty()) directory = default_directory(arguments.scene.file);
     const RunStatus status = run(scene, {directory, arguments.threads, arguments.until});
     if (status.state == RunState::failed) print_error(status.message);
-    print(status.report + "results in " + directory.string() + "\n");
+    const std::string expected = status.state == RunState::done && !arguments.until ? expectation_text(scene) : "";
+    print(status.report + expected + "results in " + directory.string() + "\n");
     switch (status.state) {
         case RunState::failed:
             return ExitCode::numerical_failure;
@@ -56,6 +50,13 @@ ExitCode run_scene(const RunArguments& arguments) {
 }
 
 }  // namespace
+
+std::filesystem::path default_directory(const std::string& scene_file) {
+    const std::filesystem::path file = std::filesystem::absolute(scene_file).lexically_normal();
+    const std::filesystem::path folder = file.parent_path().filename();
+    const bool by_folder = file.stem() == "scene" && !folder.empty();
+    return std::filesystem::path("results") / (by_folder ? folder : file.stem());
+}
 
 void add_run_command(CLI::App& program, Deed& chosen) {
     CLI::App& command = *program.add_subcommand("run", "Compute a scene");

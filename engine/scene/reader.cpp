@@ -35,6 +35,14 @@ toml::table parse(const std::string& text, const std::string& path) {
     }
 }
 
+/// Without the references, whose tables stand beside this file and not where the text goes.
+std::string canonical_text(toml::table table) {
+    table.erase("reference");
+    std::ostringstream text;
+    text << toml::toml_formatter(table) << '\n';
+    return text.str();
+}
+
 void read_constants(TomlTable& root) {
     const TomlValue value = root.get("constants");
     if (!value) return;
@@ -79,6 +87,7 @@ void read_scene(TomlTable& root) {
     read_walls(root);
     read_probes(root);
     read_output(root);
+    read_references(root);
     root.finish();
 }
 
@@ -102,9 +111,7 @@ Scene load_scene(const std::string& path, const std::vector<std::string>& overri
     apply_overrides(table, overrides, path);
     Scene scene;
     scene.file = path;
-    std::ostringstream canonical;
-    canonical << toml::toml_formatter(table) << '\n';
-    scene.source = canonical.str();
+    scene.source = canonical_text(table);
     TomlTable root(table, scene);
     read_scene(root);
     return scene;
