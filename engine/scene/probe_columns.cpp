@@ -16,7 +16,7 @@ std::vector<std::string> parts_of(ProbeKind kind, int dimension) {
         case ProbeKind::water_level:
             return {"level"};
         case ProbeKind::energy:
-            return {"kinetic", "potential", "compression", "elastic", "total"};
+            return {"kinetic", "potential", "compression", "elastic", "contact", "total"};
         case ProbeKind::velocity_error:
             return {"rms"};
     }

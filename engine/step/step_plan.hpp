@@ -14,7 +14,7 @@ struct State;
 /// The largest stable step of one medium.
 struct CourantLimit {
     std::string medium;      ///< material's name
-    double dt = 0;           ///< courant · h / c0, less where a viscosity asks for it [s]
+    double dt = 0;           ///< courant · h / c0; less for thin lattices and viscosities (step_plan.cpp) [s]
     double h = 0;            ///< the medium's smallest smoothing length [m]
     double sound_speed = 0;  ///< c0 [m/s]
     double viscosity = 0;    ///< ν [m²/s]
