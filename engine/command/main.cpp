@@ -13,9 +13,12 @@ constexpr const char* examples = R"(Examples:
   sluice run validation/elastic_gate/scene.toml
   sluice run dam.toml -o results/fine --set method.spacing=0.001 --threads 2
   sluice run dam.toml --until 0.1
+  sluice run --resume results/dam
 
 A run writes into its folder: scene.toml (what was run), probes.csv, summary.json, and frames/, of which
-ParaView opens frames.hdf.series.
+ParaView opens frames.hdf.series. Every ten minutes, and when it is stopped by Ctrl-C or `kill`, it writes
+a checkpoint into checkpoints/; with --resume it goes on from there, to the same results as if it had never
+been stopped.
 
 Exit codes: 0 done, 1 numerical failure, 2 bad input, 3 output failed, 130 interrupted.)";
 

@@ -61,6 +61,8 @@ void read_output(TomlTable& root) {
     output.end = table.get("end").number(positive);
     if (const auto v = table.get("frame_interval")) output.frame_interval = v.number(not_negative);
     if (const auto v = table.get("probe_interval")) output.probe_interval = v.number(not_negative);
+    if (const auto v = table.get("checkpoint_interval")) output.checkpoint_interval = v.number(not_negative);
+    if (const auto v = table.get("checkpoint_minutes")) output.checkpoint_minutes = v.number(not_negative);
     table.finish();
 }
 
