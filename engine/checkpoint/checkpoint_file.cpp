@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -45,10 +46,12 @@ std::string first_lines(const std::string& header) { return header.substr(0, hea
 void write_checkpoint(const std::filesystem::path& file, const std::function<void(const StateWriter&)>& fill) {
     Hdf5File hdf(header_size);
     fill(StateWriter(hdf.root()));
-    std::string bytes = hdf.bytes();
+    const std::span<char> image = hdf.image();
+    const std::string_view bytes(image.data(), image.size());
     Checksum checksum;
-    checksum.add(std::string_view(bytes).substr(header_size));
-    bytes.replace(0, header_size, checksum.header());
+    checksum.add(bytes.substr(header_size));
+    const std::string header = checksum.header();
+    std::copy(header.begin(), header.end(), image.begin());
     write_atomically(file, bytes);
     sync_folder(file.parent_path());
 }

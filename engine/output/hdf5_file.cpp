@@ -163,7 +163,8 @@ void Hdf5Group::write_attribute(const std::string& name, Values values) const {
     check(H5Awrite(attribute.get(), values.type, values.data), "fill the attribute " + name);
 }
 
-Hdf5File::Hdf5File(std::size_t user_block) : file_(create_in_memory(user_block), H5Fclose, "make a file in memory") {}
+Hdf5File::Hdf5File(std::size_t user_block)
+    : file_(create_in_memory(user_block), H5Fclose, "make a file in memory"), user_block_(user_block) {}
 
 Hdf5Group Hdf5File::root() const {
     return Hdf5Group({H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "open the root group"});
@@ -177,6 +178,18 @@ std::string Hdf5File::bytes() const {
     if (H5Fget_file_image(file_.get(), bytes.data(), bytes.size()) != size)
         throw OutputError("HDF5: cannot copy a finished file");
     return bytes;
+}
+
+std::span<char> Hdf5File::image() {
+    check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "finish a file");
+    void* memory = nullptr;  // where the driver keeps its pointer to the bytes
+    check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &memory), "find a finished file");
+    const ssize_t behind = H5Fget_file_image(file_.get(), nullptr, 0);  // the user block does not count
+    const auto size = static_cast<std::size_t>(behind) + user_block_;
+    hsize_t allocated = 0;
+    check(H5Fget_filesize(file_.get(), &allocated), "size a finished file");
+    if (behind < 0 || allocated < size) throw OutputError("HDF5: cannot finish a file");
+    return {*static_cast<char**>(memory), size};
 }
 
 }  // namespace sluice

@@ -99,9 +99,12 @@ class Hdf5File {
     Hdf5Group root() const;
     /// The file's content so far; groups should be closed by then.
     std::string bytes() const;
+    /// The same in place, with the user block in front, which may be written to. Valid until the file changes or goes.
+    std::span<char> image();
 
   private:
     Hdf5Handle file_;
+    std::size_t user_block_;
 };
 
 }  // namespace sluice

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine/scene/canonical_text.hpp"
 #include "engine/scene/formula.hpp"
 #include "engine/scene/overrides.hpp"
 #include "engine/scene/reader_parts.hpp"
@@ -104,9 +105,7 @@ Scene load_scene(const std::string& path, const std::vector<std::string>& overri
     apply_overrides(table, overrides, path);
     Scene scene;
     scene.file = path;
-    std::ostringstream canonical;
-    canonical << toml::toml_formatter(table) << '\n';
-    scene.source = canonical.str();
+    scene.source = canonical_text(table);
     TomlTable root(table, scene);
     read_scene(root);
     return scene;

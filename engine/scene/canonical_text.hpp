@@ -1,0 +1,14 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+
+namespace sluice {
+
+/// A scene as TOML without what does not matter: layout, comments, the order of keys. Bodies, materials, walls, probes
+/// and constants keep their order, as particles, and with them the sums over them, follow it. Read back it is the same
+/// scene, with the same results to the bit.
+std::string canonical_text(const toml::table& root);
+
+}  // namespace sluice
