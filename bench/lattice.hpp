@@ -21,10 +21,11 @@ inline constexpr double cell_size = (Dim == 2 ? 8 : 4) * spacing;
 /// Particles of one kind, in the order of their clusters.
 template <int Dim>
 struct Medium {
-    VectorField<Dim> position, velocity, area_normal, shared_force, density_gradient;
+    VectorField<Dim> position, velocity, acceleration, area_normal, shared_force, density_gradient;
     ScalarField h, mass, volume, density, pressure, pressure_over_rho2, hourglass_stiffness;
     SymTensorField<Dim> stress, artificial, gradient_correction;
     TupleField<Dim * Dim> deformation, corrected_stress;
+    Array<std::uint16_t> body;
     ClusterGrid<Dim> grid;
 
     Medium(const VectorField<Dim>& places, double h_over_d) {
@@ -38,6 +39,7 @@ struct Medium {
         std::uniform_real_distribution<double> speed(-1, 1);
         for (ScalarField& column : velocity.c)
             for (double& v : column) v = speed(random);
+        acceleration.resize(n);
         area_normal.resize(n);
         shared_force.resize(n);
         density_gradient.resize(n);
@@ -49,6 +51,7 @@ struct Medium {
         gradient_correction.resize(n);
         for (std::size_t k = 0; k < Dim; ++k) gradient_correction.c[k].assign(n, 1);
         hourglass_stiffness.assign(n, 1e6);
+        body.assign(n, 0);
         volume.assign(n, std::pow(spacing, Dim));
         mass.assign(n, 1000 * volume[0]);
         density.assign(n, 1000);
@@ -71,6 +74,7 @@ struct Medium {
         v.pressure_over_rho2 = pressure_over_rho2.data();
         v.stress_over_rho2 = columns_of(stress);
         v.artificial_stress = columns_of(artificial);
+        v.acceleration = columns_of(acceleration);
         v.area_normal = columns_of(area_normal);
         v.shared_force = columns_of(shared_force);
         v.density_gradient = columns_of(density_gradient);

@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     sluice::bench::register_search();
     sluice::bench::register_smoothing();
     sluice::bench::register_passes();
+    sluice::bench::register_equations_of_state();
     sluice::bench::register_steps();
     const std::size_t run = benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

@@ -22,6 +22,7 @@ struct Output {
     VectorField<Dim> vectors;
     ScalarField scalars;
     TupleField<Dim * Dim> tensors, more_tensors;
+    SymTensorField<Dim> symmetric;
     BlockTotals<Dim> totals;
     ShiftFields<Dim> shift;
 
@@ -30,6 +31,7 @@ struct Output {
         tensors.resize(n);
         shift.reset(n);
         more_tensors.resize(n);
+        symmetric.resize(n);
     }
 };
 

@@ -2,6 +2,10 @@
 // Rates are per second of process CPU time: with two threads, per core.
 #include "bench/pass_benchmark.hpp"
 #include "bench/suite.hpp"
+#include "kernels/boundary_loops.hpp"
+#include "kernels/boundary_passes.hpp"
+#include "kernels/contact_loops.hpp"
+#include "kernels/contact_passes.hpp"
 #include "kernels/density_loops.hpp"
 #include "kernels/density_passes.hpp"
 #include "kernels/fluid_loops.hpp"
@@ -27,6 +31,7 @@ constexpr SolidTerms solid_terms{1, 134.8, 0.3, 4, 1.5};
 constexpr ElasticViscosity elastic_viscosity{1, 134.8, 1100};
 constexpr double filter_theta = 0.92;
 constexpr ShiftTerms shift_terms{1.5};
+constexpr double water_viscosity = 1e-6;  // [m²/s]
 
 template <class Sample>
 using Rows = std::vector<PassRow<Sample>>;
@@ -133,7 +138,12 @@ Rows<Cube<Dim>> elastic_rows() {
     using S = Cube<Dim>;
     using Out = Output<Dim>;
     const Roles<S> all{&S::medium, &S::medium, &S::list};
-    return {pass_row<DeformationSums<Dim>>(
+    return {pass_row<GradientMatrixSums<Dim>>("elastic_correction", all, 1 + sym_components<Dim>,
+                                              [](const S& s, Precision, Out& out) {
+                                                  elastic_correction<Dim>(s.medium.view(), s.list, 1e6, {},
+                                                                          out.symmetric, out.scalars);
+                                              }),
+            pass_row<DeformationSums<Dim>>(
                 "elastic_deformation", all, 2 * Dim * Dim,
                 [](const S& s, Precision, Out& out) {
                     const auto rubber = Hyperelastic::with(ElasticLaw::neo_hookean, 12e6, 0.4);
@@ -144,9 +154,29 @@ Rows<Cube<Dim>> elastic_rows() {
                                                elastic_momentum<Dim>(s.medium.view(), s.list, {}, {}, out.vectors);
                                            }),
             pass_row<ElasticMomentum<Dim, ReferenceViscosity>>(
-                "elastic_viscous", all, Dim, [](const S& s, Precision, Out& out) {
+                "elastic_viscous", all, Dim,
+                [](const S& s, Precision, Out& out) {
                     elastic_momentum<Dim>(s.medium.view(), s.list, elastic_viscosity, {}, out.vectors);
-                })};
+                }),
+            pass_row<HourglassErrors<Dim>>("hourglass_energy", all, 1, [](const S& s, Precision, Out& out) {
+                hourglass_energy<Dim>(s.medium.view(), s.list, {}, out.scalars);
+            })};
+}
+
+/// Two bodies that touch. In double only, whatever is asked for.
+template <int Dim>
+Rows<Boundary<Dim>> contact_rows() {
+    using S = Boundary<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> body{&S::fluid, &S::backing, &S::fluid_backing};
+    return {pass_row<ContactSums<Dim>>("contact_sums", body, 1 + Dim,
+                                       [](const S& s, Precision, Out& out) {
+                                           contact_sums<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing, {},
+                                                             out.scalars, out.vectors);
+                                       }),
+            pass_row<ContactForce<Dim>>("contact_force", body, Dim, [](const S& s, Precision, Out& out) {
+                contact_force<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing, {}, out.vectors);
+            })};
 }
 
 template <int Dim>
@@ -159,6 +189,13 @@ Rows<Boundary<Dim>> wall_rows() {
                                                  fixed_ghost_pressure<Dim>(s.backing.view(), s.fluid.view(),
                                                                            s.backing_fluid, {}, p, out.scalars);
                                              }),
+            pass_row<MovingGhostPressureSums<Dim>>("moving_wall_pressure", ghosts, 1,
+                                                   [](const S& s, Precision p, Out& out) {
+                                                       const std::vector<Vec<Dim>> of_walls(1);
+                                                       moving_ghost_pressure<Dim>(s.backing.view(), s.fluid.view(),
+                                                                                  s.backing_fluid, of_walls,
+                                                                                  s.backing.body, p, out.scalars);
+                                                   }),
             pass_row<GhostPressure<Dim>>("wall_force", fluid, Dim,
                                          [](const S& s, Precision p, Out& out) {
                                              fixed_ghost_force<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing,
@@ -167,6 +204,52 @@ Rows<Boundary<Dim>> wall_rows() {
             pass_row<GhostContinuity<Dim>>("wall_continuity", fluid, 1, [](const S& s, Precision p, Out& out) {
                 fixed_ghost_continuity<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing, p, out.scalars);
             })};
+}
+
+/// The solid's particles, or the ghosts of a moving or no-slip wall, as the fluid's boundary.
+template <int Dim>
+Rows<Boundary<Dim>> boundary_rows() {
+    using S = Boundary<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> solid{&S::backing, &S::fluid, &S::backing_fluid}, fluid{&S::fluid, &S::backing, &S::fluid_backing};
+    return {pass_row<BoundaryPressure<Dim>>("boundary_force", fluid, Dim,
+                                            [](const S& s, Precision, Out& out) {
+                                                boundary_pressure_on_fluid<Dim>(s.fluid.view(), s.backing.view(),
+                                                                                s.fluid_backing, {}, {}, out.totals,
+                                                                                out.vectors);
+                                            }),
+            pass_row<BoundaryReaction<Dim>>("boundary_reaction", solid, Dim,
+                                            [](const S& s, Precision, Out& out) {
+                                                boundary_reaction<Dim>(s.backing.view(), s.fluid.view(),
+                                                                       s.backing_fluid, {}, {}, out.totals,
+                                                                       out.vectors);
+                                            }),
+            pass_row<BoundaryContinuity<Dim>>("boundary_continuity", fluid, 1, [](const S& s, Precision, Out& out) {
+                boundary_continuity<Dim>(s.fluid.view(), s.backing.view(), s.fluid_backing, {}, out.scalars);
+            })};
+}
+
+template <int Dim>
+Rows<Boundary<Dim>> friction_rows() {
+    using S = Boundary<Dim>;
+    using Out = Output<Dim>;
+    const Roles<S> solid{&S::backing, &S::fluid, &S::backing_fluid}, fluid{&S::fluid, &S::backing, &S::fluid_backing};
+    return {pass_row<BoundaryVelocitySums<Dim>>("ghost_velocity", solid, Dim,
+                                                [](const S& s, Precision, Out& out) {
+                                                    boundary_ghost_velocity<Dim>(s.backing.view(), s.fluid.view(),
+                                                                                 s.backing_fluid, {}, out.vectors);
+                                                }),
+            pass_row<BoundaryFrictionPass<Dim>>("boundary_friction", fluid, Dim,
+                                                [](const S& s, Precision, Out& out) {
+                                                    boundary_friction<Dim>(s.fluid.view(), s.backing.view(),
+                                                                           s.fluid_backing, water_viscosity, {},
+                                                                           out.totals, out.vectors);
+                                                }),
+            pass_row<BoundaryFrictionReactionPass<Dim>>(
+                "friction_reaction", solid, Dim, [](const S& s, Precision, Out& out) {
+                    boundary_friction_reaction<Dim>(s.backing.view(), s.fluid.view(), s.backing_fluid, water_viscosity,
+                                                    {}, out.totals, out.vectors);
+                })};
 }
 
 template <int Dim>
@@ -222,8 +305,11 @@ void register_dimension() {
     const auto boundary_shift = boundary_shift_rows<Dim>();
     const auto solid = solid_rows<Dim>();
     const auto elastic = elastic_rows<Dim>();
+    const auto contact = contact_rows<Dim>();
     const auto wall = wall_rows<Dim>();
     const auto interface = interface_rows<Dim>();
+    const auto boundary = boundary_rows<Dim>();
+    const auto friction = friction_rows<Dim>();
     for (const int h : {120, 150})
         for (const std::size_t n : {10'000U, 100'000U}) {
             register_rows(fluid, both, h, n);
@@ -232,9 +318,9 @@ void register_dimension() {
             register_rows(solid, both, h, n);
             register_rows(wall, both, h, n);
             // These know no other.
-            register_rows(boundary_shift, {Precision::full}, h, n);
-            register_rows(elastic, {Precision::full}, h, n);  // they know no other
-            register_rows(interface, {Precision::full}, h, n);
+            register_rows(elastic, {Precision::full}, h, n);
+            for (const auto* rows : {&boundary_shift, &contact, &interface, &boundary, &friction})
+                register_rows(*rows, {Precision::full}, h, n);
         }
 }
 

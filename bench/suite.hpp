@@ -8,6 +8,7 @@ void register_roofline();
 void register_search();
 void register_smoothing();
 void register_passes();
+void register_equations_of_state();
 void register_steps();
 
 }  // namespace sluice::bench

@@ -49,6 +49,12 @@ def smoothing_rows(found):
                    percent(found.median(name, "of_fma_peak"))]
 
 
+def pressure_rows(found):
+    for name in found.runs:
+        if name.startswith("equation_of_state/"):
+            yield [name.removeprefix("equation_of_state/"), millions(found.median(name, "evaluations/s"))]
+
+
 def search_rows(found):
     for name in found.runs:
         words, arguments = results.parts(name)
@@ -109,6 +115,7 @@ def print_all(found):
     print_table("Limits of one core, 10⁹ operations/s or bytes/s", ["limit", "10⁹/s"], list(roofline_rows(found)))
     print_table("Smoothing functions, 10⁶ evaluations/s", ["function", "10⁶/s", "of FMA peak"],
                 list(smoothing_rows(found)))
+    print_table("Pressure from density, 10⁶ evaluations/s", ["equation of state", "10⁶/s"], list(pressure_rows(found)))
     print_table("Search", ["stage", "dim", "100 h/d", "particles", "threads", "10⁶ particles/s", "10⁶ pairs/s",
                            "bytes/particle"], list(search_rows(found)))
     print_table("Passes, 10⁶ pairs/s of CPU time (of the FMA peak)",

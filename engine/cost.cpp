@@ -13,7 +13,6 @@
 #include "engine/errors.hpp"
 #include "engine/output/run_record.hpp"
 #include "engine/simulation.hpp"
-#include "engine/state/visit.hpp"
 #include "engine/state_check.hpp"
 
 namespace sluice {
@@ -240,15 +239,6 @@ void try_to_compare(const Scene& scene, const CostEffort& effort, double rate, E
     }
 }
 
-template <class Phase>
-void add_bytes(const EffectInfo& effect, std::string_view name, Phase phase, std::vector<FieldBytes>& to) {
-    std::size_t bytes = 0;
-    visit_columns(phase, [&](std::string_view column, auto& values) {
-        if (effect.needs(name, column)) bytes += sizeof(values[0]);
-    });
-    if (bytes > 0) to.push_back({name, bytes});
-}
-
 bool can_be_switched(Verdict verdict) { return verdict == Verdict::used || verdict == Verdict::unused; }
 
 /// What is known of an effect before it is switched.
@@ -264,17 +254,6 @@ EffectCost without_switching(const EffectRow& row, Verdict verdict, const Effect
 }
 
 }  // namespace
-
-template <int Dim>
-std::vector<FieldBytes> field_bytes(const EffectInfo& effect) {
-    std::vector<FieldBytes> bytes;
-    add_bytes(effect, "fluid", FluidPhase<Dim>{}, bytes);
-    add_bytes(effect, "solid", SolidPhase<Dim>{}, bytes);
-    add_bytes(effect, "wall", WallPhase<Dim>{}, bytes);
-    add_bytes(effect, "elements", InterfaceElements<Dim>{}, bytes);
-    add_bytes(effect, "boundary", BoundaryParticles<Dim>{}, bytes);
-    return bytes;
-}
 
 template <int Dim>
 SceneCost measure_cost(const Scene& scene, const CostEffort& effort) {
@@ -307,7 +286,5 @@ SceneCost measure_cost(const Scene& scene, const CostEffort& effort) {
 
 template SceneCost measure_cost<2>(const Scene&, const CostEffort&);
 template SceneCost measure_cost<3>(const Scene&, const CostEffort&);
-template std::vector<FieldBytes> field_bytes<2>(const EffectInfo&);
-template std::vector<FieldBytes> field_bytes<3>(const EffectInfo&);
 
 }  // namespace sluice

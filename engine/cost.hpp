@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/effects.hpp"
+#include "engine/effect_fields.hpp"
 #include "engine/step/phase_timer.hpp"
 
 namespace sluice {
@@ -20,12 +20,6 @@ enum class CostBasis {
     shared,      ///< nor can it here, but it runs within phases of others
     impossible,  ///< it has nothing to act on
     failed       ///< could be switched, but was not measured: `note` says why
-};
-
-/// Memory of an effect's fields.
-struct FieldBytes {
-    std::string_view phase;  ///< "fluid", "solid", "wall", "elements", "boundary"
-    std::size_t bytes = 0;   ///< per particle of that phase
 };
 
 struct EffectCost {
@@ -68,9 +62,5 @@ struct CostEffort {
 /// Throws SceneError, NumericalError as a run does.
 template <int Dim>
 SceneCost measure_cost(const Scene& scene, const CostEffort& effort = {});
-
-/// Bytes per particle of the columns that an effect needs.
-template <int Dim>
-std::vector<FieldBytes> field_bytes(const EffectInfo& effect);
 
 }  // namespace sluice

@@ -15,6 +15,8 @@ namespace sluice {
 struct SceneContent {
     bool fluid = false, solid = false, hypoelastic = false, total_lagrangian = false, clamp = false, mirror = false,
          fixed = false, gravity = false;
+    bool movable = false;  ///< a solid body that is not clamped altogether
+    int total_lagrangian_bodies = 0;
     bool no_slip = false, viscous = false, moving_wall = false, driven = false, many_spacings = false;
     std::string fluids, solids, clamps, mirrors, fixed_walls, moving_walls, no_slip_walls,
         periodic_axes;  ///< names, for messages

@@ -27,6 +27,7 @@ enum class Effect {
     solid_viscosity,
     artificial_stress,
     solid_filter,
+    contact,
     interface_force,
     moving_boundary,
     mirror_wall,
@@ -42,15 +43,17 @@ enum class Effect {
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 29;
+inline constexpr std::size_t effect_count = 30;
 
 /// One row of the table.
 struct EffectInfo {
     Effect effect;
-    std::string_view key;       ///< in [effects] and summary.json
-    std::string_view name;      ///< in the field's standard terms
-    std::string_view equation;  ///< source
-    std::string_view fields;    ///< columns that it needs, as "phase.column phase.column"
+    std::string_view key;        ///< in [effects] and summary.json
+    std::string_view name;       ///< in the field's standard terms
+    std::string_view equation;   ///< source
+    std::string_view fields;     ///< columns that it needs, as "phase.column phase.column"
+    std::string_view automatic;  ///< the rule for "auto" in words: "on if ..."
+    std::string_view formula;    ///< in a line; symbols as in the headers of kernels/terms/
 
     bool needs(std::string_view phase, std::string_view column) const;
 };

@@ -9,6 +9,7 @@
 #include "engine/step/balances.hpp"
 #include "engine/step/body_acceleration.hpp"
 #include "engine/step/boundary_coupling.hpp"
+#include "engine/step/contact.hpp"
 #include "engine/step/context.hpp"
 #include "engine/step/fluid.hpp"
 #include "engine/step/hypoelastic_solid.hpp"
@@ -33,8 +34,9 @@ struct Simulation<Dim>::Impl {
           fluid(context),
           shifting(context),
           walls(context),
-          hypoelastic(context),
-          total_lagrangian(context),
+          contact(context),
+          hypoelastic(context, contact),
+          total_lagrangian(context, contact),
           interface(context),
           boundary(context) {
         context.plan = planner.next(fluid.speed(), norm(state.gravity));
@@ -65,6 +67,7 @@ struct Simulation<Dim>::Impl {
         fluid.drift_halfway();
         const double solid_motion = advance_solid();
         const double wall_motion = walls.move_halfway(time);
+        contact.add_motion(wall_motion);
         rates();
         const double shift = shifting.shift(steps);
         const double fluid_motion = fluid.finish() + shift;
@@ -134,7 +137,7 @@ struct Simulation<Dim>::Impl {
         visit("elements", element_columns), visit("boundary", boundary_columns);
         visit("neighbors", neighbors);
         visit("fluid_part", fluid), visit("shifting", shifting), visit("walls", walls);
-        visit("hypoelastic", hypoelastic);
+        visit("contact", contact), visit("hypoelastic", hypoelastic);
         visit("interface_coupling", interface), visit("boundary_coupling", boundary);
     }
 
@@ -153,6 +156,7 @@ struct Simulation<Dim>::Impl {
     FluidPart<Dim> fluid;
     ParticleShifting<Dim> shifting;
     WallPart<Dim> walls;
+    SolidContact<Dim> contact;
     HypoelasticSolid<Dim> hypoelastic;
     TotalLagrangianSolid<Dim> total_lagrangian;
     InterfaceCoupling<Dim> interface;
@@ -226,7 +230,7 @@ template <int Dim>
 WorkCount Simulation<Dim>::work() const {
     const auto& s = *impl_;
     const std::uint64_t moved = s.steps * s.state.fluid.owned + s.solid_steps * s.state.solid.owned;
-    return {s.steps, moved, s.context.pairs, s.neighbors.builds()};
+    return {s.steps, moved, s.context.pairs, s.neighbors.builds() + s.contact.builds()};
 }
 template <int Dim>
 const PhaseTimer& Simulation<Dim>::timer() const {
@@ -236,6 +240,7 @@ template <int Dim>
 EnergyBalance Simulation<Dim>::energy() const {
     EnergyBalance e = energy_of(impl_->state);
     e.elastic += impl_->total_lagrangian.hourglass_energy();
+    e.contact = impl_->contact.energy();
     return e;
 }
 template <int Dim>
@@ -256,6 +261,11 @@ Vec<Dim> Simulation<Dim>::force_on(std::size_t body) const {
 }
 
 template <int Dim>
+Vec<Dim> Simulation<Dim>::contact_force_on(std::size_t body) const {
+    return impl_->contact.force_on(body);
+}
+
+template <int Dim>
 InterfaceBalance Simulation<Dim>::interface_balance() const {
     return impl_->effects.has(Effect::moving_boundary) ? impl_->boundary.balance() : impl_->interface.balance();
 }
@@ -271,7 +281,7 @@ template <int Dim>
 std::size_t Simulation<Dim>::memory_bytes() const {
     const auto& s = impl_->state;
     return column_bytes(s.fluid) + column_bytes(s.solid) + column_bytes(s.wall) + column_bytes(s.elements) +
-           column_bytes(s.boundary) + s.surface.bytes() + impl_->neighbors.bytes();
+           column_bytes(s.boundary) + s.surface.bytes() + impl_->neighbors.bytes() + impl_->contact.bytes();
 }
 template <int Dim>
 const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {

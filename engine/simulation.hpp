@@ -57,12 +57,13 @@ class Simulation {
     WorkCount work() const;
     const PhaseTimer& timer() const;
     EnergyBalance energy() const;
-    Vec<Dim> momentum() const;                   ///< of all moving particles [kg m/s]
-    Vec<Dim> force_on(std::size_t body) const;   ///< of the fluid on a solid body [N; N/m in 2D]
-    InterfaceBalance interface_balance() const;  ///< worst residual over all steps so far
-    double max_mach() const;                     ///< highest |v|/c0 of the fluid so far
-    double max_speed() const;                    ///< highest |v| of the fluid so far [m/s]
-    std::size_t memory_bytes() const;            ///< particle fields and neighbour lists
+    Vec<Dim> momentum() const;                          ///< of all moving particles [kg m/s]
+    Vec<Dim> force_on(std::size_t body) const;          ///< of the fluid on a solid body [N; N/m in 2D]
+    Vec<Dim> contact_force_on(std::size_t body) const;  ///< of what a solid body touches [N; N/m in 2D]
+    InterfaceBalance interface_balance() const;         ///< worst residual over all steps so far
+    double max_mach() const;                            ///< highest |v|/c0 of the fluid so far
+    double max_speed() const;                           ///< highest |v| of the fluid so far [m/s]
+    std::size_t memory_bytes() const;                   ///< particle fields and neighbour lists
 
     /// Everything that changes during a run. A simulation of the same scene that has restored it takes the same steps,
     /// to the bit, with any number of threads.

@@ -99,6 +99,12 @@ class NeighborList {
         visit("size", size_), visit("pairs", pairs_), visit("counted", counted_);
     }
 
+    /// Leaves out the query clusters that hold no particle of those `wanted` (by index). The others' rows, and so the
+    /// sums over them, stay what they are, to the bit. Prune before use.
+    void keep_queries(std::span<const std::uint8_t> wanted);
+    /// Sets the mark of each particle (by index) that stands in a row of a cluster with one of those `wanted`.
+    void mark_candidates(std::span<const std::uint8_t> wanted, std::span<std::uint8_t> mark) const;
+
     template <int Dim>
     friend class NeighborSearch;
 
@@ -107,6 +113,8 @@ class NeighborList {
     static void for_members(const ListedCluster& c, const Array<Index>& index, Visit&& visit) {
         for (Index l = 0; l < c.size; ++l) visit(c.particle(l, index.data()));
     }
+    bool holds_any(std::size_t q, std::span<const std::uint8_t> wanted) const;
+    void append_block(const NeighborList& from, const ListView::Block& block, std::span<const Index> queries);
 
     Array<ListView::Block> block_;
     Array<ListView::Part> part_;

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "engine/errors.hpp"
 #include "engine/output/hdf5_reader.hpp"
@@ -32,11 +31,12 @@ concept Resizable = requires(T& value) {
     value.resize(1);
 };
 
-/// A vector of vectors of one number type.
+/// Arrays whose values are no plain memory.
 template <class T>
-struct IsNested : std::false_type {};
-template <class T>
-struct IsNested<std::vector<std::vector<T>>> : std::true_type {};
+concept List = requires {
+    typename T::value_type;
+}
+&&!std::is_trivially_copyable_v<typename T::value_type>;
 
 }  // namespace detail
 
@@ -53,22 +53,18 @@ class StateWriter {
             value.visit_state(group(key));
         else if constexpr (std::is_arithmetic_v<T>)
             group_.attribute(key, std::remove_const_t<T>(value));
-        else if constexpr (detail::IsNested<std::remove_const_t<T>>::value)
-            write_nested(group(key), value);
+        else if constexpr (detail::List<T>)
+            write_list(group(key), value);
         else if (!value.empty())
             group_.plain_dataset(key, std::span<const typename T::value_type>(value));
     }
 
   private:
     template <class T>
-    static void write_nested(const StateWriter& writer, const std::vector<std::vector<T>>& lists) {
-        std::vector<std::uint64_t> lengths;
-        std::vector<T> values;
-        for (const std::vector<T>& list : lists) {
-            lengths.push_back(list.size());
-            values.insert(values.end(), list.begin(), list.end());
-        }
-        writer("lengths", lengths), writer("values", values);
+    static void write_list(const StateWriter& writer, T& list) {
+        std::uint64_t count = list.size();
+        writer("count", count);
+        for (std::size_t k = 0; k < count; ++k) writer(std::to_string(k), list[k]);
     }
 
     Hdf5Group group_;
@@ -87,8 +83,8 @@ class StateReader {
             value.visit_state(group(key));
         else if constexpr (std::is_arithmetic_v<T>)
             value = group_.attribute<T>(key);
-        else if constexpr (detail::IsNested<T>::value)
-            read_nested(group(key), value);
+        else if constexpr (detail::List<T>)
+            read_list(group(key), value);
         else
             read_array(key, value);
     }
@@ -105,18 +101,12 @@ class StateReader {
         if (count > 0) group_.read(key, std::span<typename T::value_type>(values));
     }
     template <class T>
-    static void read_nested(const StateReader& reader, std::vector<std::vector<T>>& lists) {
-        std::vector<std::uint64_t> lengths;
-        std::vector<T> values;
-        reader("lengths", lengths), reader("values", values);
-        lists.clear();
-        std::size_t first = 0;
-        for (const std::uint64_t length : lengths) {
-            if (length > values.size() - first) throw CheckpointError("the checkpoint does not fit: its lists");
-            const auto from = values.begin() + static_cast<std::ptrdiff_t>(first);
-            lists.emplace_back(from, from + static_cast<std::ptrdiff_t>(length));
-            first += length;
-        }
+    static void read_list(const StateReader& reader, T& list) {
+        std::uint64_t count = 0;
+        reader("count", count);
+        if constexpr (detail::Resizable<T>) list.resize(count);
+        if (count != list.size()) throw CheckpointError("the checkpoint does not fit: a list of another length");
+        for (std::size_t k = 0; k < count; ++k) reader(std::to_string(k), list[k]);
     }
 
     Hdf5Source group_;

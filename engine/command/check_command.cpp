@@ -68,16 +68,18 @@ std::string step_table(const Simulation<Dim>& simulation) {
 }
 
 std::string effect_table(const Effects& effects) {
-    std::size_t name = 0, equation = 0;
+    std::size_t key = 0, name = 0, equation = 0;
     for (const EffectChoice& choice : effects.all()) {
+        key = std::max(key, choice.info.key.size());
         name = std::max(name, choice.info.name.size());
         equation = std::max(equation, choice.info.equation.size());
     }
-    std::string text = fmt::format("{:<{}}       {:<{}}  {}\n", "effect", name, "equation", equation, "why");
+    constexpr const char* layout = "{:<{}}  {:<3}  {:<{}}  {:<{}}  {}\n";
+    std::string text = fmt::format(layout, "effect", name, "", "key", key, "equation", equation, "why");
     for (const EffectChoice& choice : effects.all())
-        text += fmt::format("{:<{}}  {:<3}  {:<{}}  {}\n", choice.info.name, name, choice.on ? "on" : "off",
+        text += fmt::format(layout, choice.info.name, name, choice.on ? "on" : "off", choice.info.key, key,
                             choice.info.equation, equation, choice.why);
-    return text;
+    return text + "\n`sluice help effects KEY` explains each of them\n";
 }
 
 struct CheckArguments {

@@ -18,5 +18,7 @@ using Deed = std::function<ExitCode()>;
 void add_run_command(CLI::App& program, Deed& chosen);
 /// `sluice check`: says what a run would do, without one.
 void add_check_command(CLI::App& program, Deed& chosen);
+/// `sluice help`: what the effects are.
+void add_help_command(CLI::App& program, Deed& chosen);
 
 }  // namespace sluice

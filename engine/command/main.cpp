@@ -12,6 +12,7 @@ constexpr const char* examples = R"(Examples:
   sluice check validation/elastic_gate/scene.toml
   sluice run validation/elastic_gate/scene.toml
   sluice run dam.toml -o results/fine --set method.spacing=0.001 --threads 2
+  sluice help effects particle_shifting
   sluice run dam.toml --until 0.1
   sluice run --resume results/dam
 
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
     sluice::Deed chosen;
     sluice::add_run_command(program, chosen);
     sluice::add_check_command(program, chosen);
+    sluice::add_help_command(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

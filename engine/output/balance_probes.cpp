@@ -16,14 +16,14 @@ class EnergyProbe : public ProbeSampler<Dim> {
 
     std::vector<std::string> columns() const override {
         std::vector<std::string> columns;
-        for (const char* part : {"kinetic", "potential", "compression", "elastic", "total"})
+        for (const char* part : {"kinetic", "potential", "compression", "elastic", "contact", "total"})
             columns.push_back(name_ + "." + part + " [" + unit<Dim>("J", "J/m") + "]");
         return columns;
     }
 
     void sample(const Simulation<Dim>& simulation, std::vector<double>& values) const override {
         const EnergyBalance e = simulation.energy();
-        values.insert(values.end(), {e.kinetic, e.potential, e.compression, e.elastic, e.total()});
+        values.insert(values.end(), {e.kinetic, e.potential, e.compression, e.elastic, e.contact, e.total()});
     }
 
   private:

@@ -15,11 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const EnergyBalance& e) {
-    return {{"kinetic", e.kinetic},
-            {"potential", e.potential},
-            {"compression", e.compression},
-            {"elastic", e.elastic},
-            {"total", e.total()}};
+    return {{"kinetic", e.kinetic}, {"potential", e.potential}, {"compression", e.compression},
+            {"elastic", e.elastic}, {"contact", e.contact},     {"total", e.total()}};
 }
 
 template <int Dim>

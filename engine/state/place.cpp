@@ -4,6 +4,7 @@
 #include "engine/geometry/site_index.hpp"
 #include "engine/scene/checks.hpp"
 #include "engine/scene/formula.hpp"
+#include "engine/state/joined_bodies.hpp"
 #include "engine/state/state.hpp"
 #include "engine/state/visit.hpp"
 
@@ -237,6 +238,11 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
             state.solid.volume[i] = state.solid.mass[i] / state.solid.density[i];
     }
     find_smoothing_range(state);
+    if (effects.has(Effect::contact) && effects.has(Effect::total_lagrangian)) {
+        state.solid_group = join_bodies(scene, bodies);
+        const double support = Smoothing<Dim>(scene.method.smoothing_function).support;
+        part_references<Dim>(state.solid_group, 2 * support * state.max_h, state.solid);
+    }
     if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
     if (effects.has(Effect::moving_boundary)) place_boundary(scene, effects, bodies, state);
     return state;

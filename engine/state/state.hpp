@@ -31,6 +31,7 @@ struct State {
     InterfaceElements<Dim> elements;
     BoundaryParticles<Dim> boundary;
     BodySurface<Dim> surface;
+    std::vector<int> solid_group;               ///< of each body of the scene (joined_bodies.hpp), if solids may meet
     std::vector<ImagePlane<Dim>> image_planes;  ///< mirror walls and sides of periodic boxes
     Vec<Dim> gravity;                           ///< [m/s²]
     std::optional<Medium> water;                ///< the fluid's, if there is fluid

@@ -10,7 +10,8 @@
 namespace sluice {
 
 template <int Dim>
-HypoelasticSolid<Dim>::HypoelasticSolid(StepContext<Dim>& context) : c_(context) {
+HypoelasticSolid<Dim>::HypoelasticSolid(StepContext<Dim>& context, SolidContact<Dim>& contact)
+    : c_(context), contact_(contact) {
     if (!c_.has(Effect::solid_stress)) return;
     const MediumMethod& m = c_.scene.method.solid;
     terms_ = {c_.has(Effect::solid_viscosity) ? m.artificial_viscosity : 0, c_.state.rubber->eos.sound_speed,
@@ -41,14 +42,18 @@ double HypoelasticSolid<Dim>::advance() {
 
 template <int Dim>
 void HypoelasticSolid<Dim>::forces() {
-    const auto scope = c_.timer.measure(StepPhase::solid_pass);
     auto& solid = c_.state.solid;
     const bool coupled = is_coupled(c_);
     const Vec<Dim> gravity = c_.state.gravity;
     parallel_for(solid.owned, [&](std::size_t i) {
         solid.acceleration.set(i, coupled ? gravity + solid.interface_acceleration[i] : gravity);
     });
-    c_.pairs += solid_momentum<Dim>(view_of(solid), c_.neighbors.solid_solid, terms_, c_.method, solid.acceleration);
+    {
+        const auto scope = c_.timer.measure(StepPhase::solid_pass);
+        c_.pairs +=
+            solid_momentum<Dim>(view_of(solid), c_.neighbors.moving_solid(), terms_, c_.method, solid.acceleration);
+    }
+    contact_.add_forces();
 }
 
 template <int Dim>
@@ -67,7 +72,7 @@ void HypoelasticSolid<Dim>::filter() {
     if (!c_.has(Effect::solid_filter)) return;
     const auto scope = c_.timer.measure(StepPhase::filter_pass);
     auto& solid = c_.state.solid;
-    c_.pairs += velocity_filter<Dim>(view_of(solid), c_.neighbors.solid_solid, c_.scene.method.solid.velocity_filter,
+    c_.pairs += velocity_filter<Dim>(view_of(solid), c_.neighbors.moving_solid(), c_.scene.method.solid.velocity_filter,
                                      c_.method, solid.velocity_correction);
     parallel_for(solid.owned, [&](std::size_t i) {
         if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + solid.velocity_correction[i]);
@@ -98,6 +103,7 @@ double HypoelasticSolid<Dim>::finish() {
     const auto scope = c_.timer.measure(StepPhase::update);
     const double motion = dt() * finish_solid_step(c_.state, terms_.artificial_stress, dt());
     c_.neighbors.add_solid_motion(motion);
+    contact_.add_motion(motion);
     return motion;
 }
 

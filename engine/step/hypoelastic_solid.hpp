@@ -1,6 +1,7 @@
 // The solid of the paper, hypoelastic and updated-Lagrangian: its own steps within a step.
 #pragma once
 
+#include "engine/step/contact.hpp"
 #include "engine/step/context.hpp"
 #include "kernels/solid_passes.hpp"
 
@@ -9,7 +10,7 @@ namespace sluice {
 template <int Dim>
 class HypoelasticSolid {
   public:
-    explicit HypoelasticSolid(StepContext<Dim>& context);
+    HypoelasticSolid(StepContext<Dim>& context, SolidContact<Dim>& contact);
 
     /// Goes through a step by the staggered explicit Euler scheme of the paper: velocities at n ± 1/2, everything else
     /// at n; rates of density and stress are taken half-way. Returns a bound of how far particles have moved. [m]
@@ -31,6 +32,7 @@ class HypoelasticSolid {
     double finish();
 
     StepContext<Dim>& c_;
+    SolidContact<Dim>& contact_;
     SolidTerms terms_;
     double last_dt_ = 0;  ///< of the sub-step before: velocities stand half of it behind; at first they stand at 0
 };

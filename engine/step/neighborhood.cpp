@@ -96,6 +96,7 @@ void Neighborhood<Dim>::sort_solid() {
                       solid.smoothing_length);
     reorder(solid, solid_grid_.order());
     solid_grid_.particles_were_sorted(0);
+    ++solid_layout_;
     solid_index_of_id_.resize(solid.owned);
     for (std::size_t i = 0; i < solid.owned; ++i) solid_index_of_id_[solid.id[i]] = static_cast<Index>(i);
 }
@@ -108,6 +109,7 @@ void Neighborhood<Dim>::sort_walls() {
                      wall.smoothing_length);
     reorder(wall, wall_grid_.order());
     wall_grid_.particles_were_sorted(0);
+    ++wall_layout_;
     make_wall_images();
 }
 
@@ -151,6 +153,10 @@ void Neighborhood<Dim>::build_solid() {
     const bool for_good = effects_.has(Effect::total_lagrangian);
     search_.build(solid_grid_, solids, pair_cut(for_good ? 0.0 : solid_skin_.skin()), solid_solid);
     solid_skin_.was_built();
+    if (effects_.has(Effect::clamp) && !for_good) {
+        leave_out_resting();
+        for (auto& column : state_.solid.velocity_gradient.c) std::fill(column.begin(), column.end(), 0.0);
+    }
     if (for_good) {
         const Set solid{state_.solid.position, state_.solid.smoothing_length};
         search_.prune(solid, solid, pair_cut(0), solid_solid);
@@ -160,8 +166,31 @@ void Neighborhood<Dim>::build_solid() {
 
 template <int Dim>
 void Neighborhood<Dim>::prune_solid() {
-    const typename NeighborSearch<Dim>::Set solid{state_.solid.position, state_.solid.smoothing_length};
-    search_.prune(solid, solid, pair_cut(solid_skin_.prune()), solid_solid);
+    const Set solid{state_.solid.position, state_.solid.smoothing_length};
+    const CutOff cut = pair_cut(solid_skin_.prune());
+    search_.prune(solid, solid, cut, solid_solid);
+    if (effects_.has(Effect::clamp)) search_.prune(solid, solid, cut, moving_solid_);
+}
+
+/// Clamped particles never move, so that stress changes only next to those that do: all others leave solid_solid.
+template <int Dim>
+void Neighborhood<Dim>::leave_out_resting() {
+    const auto& solid = state_.solid;
+    Array<std::uint8_t> moving(solid.owned), stressed(solid.owned);
+    for (std::size_t i = 0; i < solid.owned; ++i) moving[i] = !solid.clamped[i];
+    solid_solid.mark_candidates(moving, stressed);
+    solid_solid.keep_queries(stressed);
+    moving_solid_ = solid_solid;
+    moving_solid_.keep_queries(moving);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::leave_out_clamped() {
+    if (!effects_.has(Effect::clamp)) return;
+    leave_out_resting();
+    const Set solid{state_.solid.position, state_.solid.smoothing_length};  // the reference configuration still
+    search_.prune(solid, solid, pair_cut(0), solid_solid);
+    search_.prune(solid, solid, pair_cut(0), moving_solid_);
 }
 
 template <int Dim>
@@ -226,7 +255,7 @@ void Neighborhood<Dim>::build_boundary() {
 
 template <int Dim>
 std::size_t Neighborhood<Dim>::bytes() const {
-    std::size_t sum = 0;
+    std::size_t sum = moving_solid_.bytes();
     for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid,
                                      &fluid_element, &element_solid, &solid_element, &element_image, &image_element,
                                      &fluid_boundary, &boundary_fluid, &boundary_image, &image_boundary})

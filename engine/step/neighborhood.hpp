@@ -30,6 +30,11 @@ class Neighborhood {
     /// The same for what a solid's sub-step needs.
     void update_solid();
 
+    /// Tells that the stress of a total-Lagrangian solid's start is known: where it stays for good it needs no passes.
+    void leave_out_clamped();
+    /// The rows of solid_solid whose forces are asked for: not of those that are clamped.
+    const NeighborList& moving_solid() const { return effects_.has(Effect::clamp) ? moving_solid_ : solid_solid; }
+
     /// Images follow their owners.
     void refresh_fluid_positions();
     void refresh_fluid_velocities();
@@ -45,6 +50,9 @@ class Neighborhood {
     void refresh_boundary_friction();
 
     const std::vector<Index>& solid_index_of_id() const { return solid_index_of_id_; }
+    /// These change when particles have changed their places in memory.
+    std::uint64_t solid_layout() const { return solid_layout_; }
+    std::uint64_t wall_layout() const { return wall_layout_; }
     std::uint64_t builds() const { return builds_; }
     std::size_t bytes() const;
 
@@ -54,7 +62,8 @@ class Neighborhood {
     void visit_state(Visit&& visit);
 
     // a_b: for each particle of a, its neighbours among b
-    NeighborList fluid_fluid, fluid_wall, wall_fluid, solid_solid;
+    NeighborList fluid_fluid, fluid_wall, wall_fluid;
+    NeighborList solid_solid;  ///< without those whose stress never changes
     NeighborList element_solid, solid_element, element_fluid, fluid_element;
     NeighborList element_image;  ///< elements and the images of fluid particles
     NeighborList image_element;  ///< fluid particles and the images of elements
@@ -73,6 +82,7 @@ class Neighborhood {
     void build_fluid();
     void build_solid();
     void build_coupling();
+    void leave_out_resting();
     void prune_fluid();
     void prune_solid();
     bool has_images() const { return !state_.image_planes.empty(); }
@@ -95,11 +105,12 @@ class Neighborhood {
     double cell_over_h_;
     double support_;
     SkinAccount fluid_skin_, solid_skin_, coupling_skin_;
-    std::uint64_t builds_ = 0;
+    std::uint64_t builds_ = 0, solid_layout_ = 0, wall_layout_ = 0;
     std::vector<Index> solid_index_of_id_;
     Images<Dim> fluid_images_, wall_images_, element_images_, boundary_images_;
     Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_,
         boundary_grid_, boundary_image_grid_;
+    NeighborList moving_solid_;
     NeighborSearch<Dim> search_;
 };
 
@@ -107,7 +118,8 @@ template <int Dim>
 template <class Visit>
 void Neighborhood<Dim>::visit_state(Visit&& visit) {
     visit("fluid_skin", fluid_skin_), visit("solid_skin", solid_skin_), visit("coupling_skin", coupling_skin_);
-    visit("builds", builds_), visit("solid_index_of_id", solid_index_of_id_);
+    visit("builds", builds_), visit("solid_layout", solid_layout_), visit("wall_layout", wall_layout_);
+    visit("solid_index_of_id", solid_index_of_id_);
     visit("fluid_images", fluid_images_), visit("wall_images", wall_images_);
     visit("element_images", element_images_), visit("boundary_images", boundary_images_);
     visit("fluid_grid", fluid_grid_), visit("fluid_image_grid", fluid_image_grid_);
@@ -115,7 +127,8 @@ void Neighborhood<Dim>::visit_state(Visit&& visit) {
     visit("element_grid", element_grid_), visit("element_image_grid", element_image_grid_);
     visit("boundary_grid", boundary_grid_), visit("boundary_image_grid", boundary_image_grid_);
     visit("fluid_fluid", fluid_fluid), visit("fluid_wall", fluid_wall), visit("wall_fluid", wall_fluid);
-    visit("solid_solid", solid_solid), visit("element_solid", element_solid), visit("solid_element", solid_element);
+    visit("solid_solid", solid_solid), visit("moving_solid", moving_solid_);
+    visit("element_solid", element_solid), visit("solid_element", solid_element);
     visit("element_fluid", element_fluid), visit("fluid_element", fluid_element);
     visit("element_image", element_image), visit("image_element", image_element);
     visit("fluid_boundary", fluid_boundary), visit("boundary_fluid", boundary_fluid);

@@ -42,6 +42,8 @@ struct StepPlan {
 /// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
 /// limit asks for. A step that the scene sets is taken as it is, and cut likewise.
 ///
+/// Contact does not shorten a solid's step: it is made no faster than the solid itself (contact.hpp).
+///
 /// A viscous fluid allows no more than ⅛ h²/ν [Morris, Fox & Zhu 1997].
 ///
 /// Adaptive: the fluid's limit is courant · h/(c0 + |v|) and ¼ √(h/|a|) [Monaghan 1992], the smaller, from the highest

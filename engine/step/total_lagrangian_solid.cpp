@@ -9,7 +9,8 @@
 namespace sluice {
 
 template <int Dim>
-TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context) : c_(context) {
+TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, SolidContact<Dim>& contact)
+    : c_(context), contact_(contact) {
     if (!c_.has(Effect::total_lagrangian)) return;
     const Medium& medium = *c_.state.rubber;
     const MediumMethod& m = c_.scene.method.solid;
@@ -20,22 +21,32 @@ TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context) : c_(
     const double stiffness = c_.has(Effect::hourglass_control) ? m.hourglass_control * law_.young_modulus() : 0.0;
     elastic_correction<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, stiffness, c_.method,
                             solid.gradient_correction, solid.hourglass_stiffness);
-    update_stress();
+    update_stress(c_.neighbors.solid_solid);
     update_density();
+    c_.neighbors.leave_out_clamped();
 }
 
 template <int Dim>
 double TotalLagrangianSolid<Dim>::advance() {
-    double motion = 0;
     begin_solid_motion(c_);
+    const bool all_clamped = c_.neighbors.moving_solid().size() == 0;
+    const double motion = all_clamped ? 0 : move();
+    end_solid_motion(c_);
+    return motion;
+}
+
+template <int Dim>
+double TotalLagrangianSolid<Dim>::move() {
+    double motion = 0;
     for (int s = 0; s < c_.plan.substeps; ++s) {
         kick();
-        motion += drift();
-        update_stress();
+        const double moved = drift();
+        contact_.add_motion(moved);
+        motion += moved;
+        update_stress(c_.neighbors.moving_solid());
         kick();
     }
     update_density();
-    end_solid_motion(c_);
     return motion;
 }
 
@@ -73,7 +84,7 @@ double TotalLagrangianSolid<Dim>::drift() {
 }
 
 template <int Dim>
-void TotalLagrangianSolid<Dim>::update_stress() {
+void TotalLagrangianSolid<Dim>::update_stress(const NeighborList& accelerated) {
     auto& solid = c_.state.solid;
     const auto view = reference_view_of(solid);
     {
@@ -81,9 +92,12 @@ void TotalLagrangianSolid<Dim>::update_stress() {
         c_.pairs += elastic_deformation<Dim>(view, c_.neighbors.solid_solid, law_, c_.method, solid.deformation,
                                              solid.corrected_stress);
     }
-    const auto scope = c_.timer.measure(StepPhase::solid_pass);
-    for (auto& column : solid.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
-    c_.pairs += elastic_momentum<Dim>(view, c_.neighbors.solid_solid, viscosity_, c_.method, solid.acceleration);
+    {
+        const auto scope = c_.timer.measure(StepPhase::solid_pass);
+        for (auto& column : solid.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
+        c_.pairs += elastic_momentum<Dim>(view, accelerated, viscosity_, c_.method, solid.acceleration);
+    }
+    contact_.add_forces();
 }
 
 template <int Dim>

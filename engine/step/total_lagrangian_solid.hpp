@@ -1,6 +1,7 @@
 // An elastic solid in its reference configuration: its own steps within a step (kernels/total_lagrangian_passes.hpp).
 #pragma once
 
+#include "engine/step/contact.hpp"
 #include "engine/step/context.hpp"
 #include "kernels/total_lagrangian_passes.hpp"
 
@@ -9,7 +10,7 @@ namespace sluice {
 template <int Dim>
 class TotalLagrangianSolid {
   public:
-    explicit TotalLagrangianSolid(StepContext<Dim>& context);
+    TotalLagrangianSolid(StepContext<Dim>& context, SolidContact<Dim>& contact);
 
     /// Goes through a step by kick, drift and kick, under the fluid's force of its beginning: symplectic, so that the
     /// energy neither grows nor fades. Returns a bound of how far particles have moved. [m]
@@ -24,12 +25,15 @@ class TotalLagrangianSolid {
     double dt() const { return c_.plan.dt / c_.plan.substeps; }
     void kick();
     double drift();
-    /// F, T and the elastic acceleration.
-    void update_stress();
+    /// Its own steps. Returns as advance().
+    double move();
+    /// F and T where they may change, the acceleration by stress of those listed, and that by contact.
+    void update_stress(const NeighborList& accelerated);
     /// ρ = ρ0/det F, which the fluid sees.
     void update_density();
 
     StepContext<Dim>& c_;
+    SolidContact<Dim>& contact_;
     Hyperelastic law_;
     ElasticViscosity viscosity_;
 };

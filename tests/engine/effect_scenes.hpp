@@ -9,28 +9,13 @@
 
 namespace sluice::effect_scenes {
 
-inline const std::string water = R"toml(
-[bodies.water]
-material = "water"
-shape = { box = { min = [0.0, 0.0], max = [0.02, 0.02] } }
-)toml";
-inline const std::string block = R"toml(
-[bodies.block]
-material = "rubber"
-shape = { box = { min = [0.02, 0.0], max = [0.03, 0.02] } }
-)toml";
+inline const std::string water = water_box("0.0, 0.0", "0.02, 0.02"), block = rubber_box("0.02, 0.0", "0.03, 0.02");
 inline const std::string clamped_block = block + "clamp = { box = { min = [0.02, 0.01], max = [0.03, 0.02] } }\n";
 inline const std::string second_water = R"toml(
 [bodies.more]
 material = "water"
 shape = { box = { min = [0.0, 0.02], max = [0.02, 0.04] } }
 spacing_ratio = 2.0
-)toml";
-inline const std::string mirror = R"toml(
-[walls.floor]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [0.0, 1.0]
 )toml";
 inline const std::string fixed = R"toml(
 [walls.back]
@@ -86,9 +71,10 @@ inline std::vector<Case> cases() {
         by_key(Effect::solid_viscosity, block, s + "artificial_viscosity", "1", "0"),
         by_key(Effect::artificial_stress, block, s + "artificial_stress", "0.3", "0"),
         by_key(Effect::solid_filter, block, s + "velocity_filter", "0.99", "1"),
+        {Effect::contact, {block + mirror_floor, {total_lagrangian}}, {block, {total_lagrangian}}},
         by_key(Effect::interface_force, both, "method.coupling", "interface-force", "moving-boundary"),
         by_key(Effect::moving_boundary, both, "method.coupling", "moving-boundary", "interface-force"),
-        by_content(Effect::mirror_wall, water + mirror, water),
+        by_content(Effect::mirror_wall, water + mirror_floor, water),
         by_content(Effect::fixed_wall, water + fixed, water),
         {Effect::no_slip_wall, {water + fixed + "condition = \"no-slip\"\n", {viscous}}, {water + fixed, {viscous}}},
         by_key(Effect::no_slip_solid, both, "materials.water.viscosity", "0.001", "0",

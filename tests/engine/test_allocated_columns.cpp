@@ -81,7 +81,7 @@ TEST_CASE("A scene of fluid holds the fluid's columns and those of what acts on 
           fluid + shifting + of("fluid", "density_gradient"));
     CHECK(allocated(water, {"method.fluid.density_diffusion=antuono", "effects.density_diffusion=off"}) ==
           fluid + filter);
-    CHECK(allocated(water + effect_scenes::mirror, {}) == fluid + filter);
+    CHECK(allocated(water + mirror_floor, {}) == fluid + filter);
     CHECK(allocated(water + effect_scenes::fixed, {}) == fluid + filter + wall);
     CHECK(allocated(water + effect_scenes::moving, {}) ==
           fluid + filter + wall + of("wall", "initial_position velocity"));

@@ -49,6 +49,13 @@ expect 2 "spacign" "$program" run "$gate" --set method.spacign=0.01
 expect 2 "sluice: error: " "$program" check "$gate" --set method.spacing=-1
 [ ! -e results ] || fail "refused scenes leave a folder"
 
+expect 0 'on if method.fluid.velocity_filter is not 1' "$program" help effects
+expect 0 "Antoci2007 eq. 16" "$program" help effects velocity_filter
+expect 2 'did you mean "velocity_filter"?' "$program" help effects velocity_fliter
+expect 2 "KEY excludes --markdown" "$program" help effects velocity_filter --markdown
+expect 2 "sluice: error: " "$program" help
+expect 2 "sluice: error: " "$program" help scenes
+
 expect 0 "gate" "$program" check "$gate"
 expect 0 "the smallest" "$program" check "$gate"
 expect 0 "tip.x [m]" "$program" check "$gate"

@@ -17,16 +17,7 @@ namespace {
 /// A tenth of the usual time.
 constexpr CostEffort little{0.1, 10};
 
-const std::string water = R"toml(
-[bodies.water]
-material = "water"
-shape = { box = { min = [0.0, 0.0], max = [0.06, 0.06] } }
-)toml";
-const std::string block = R"toml(
-[bodies.block]
-material = "rubber"
-shape = { box = { min = [0.0, 0.0], max = [0.06, 0.06] } }
-)toml";
+const std::string water = water_box("0.0, 0.0", "0.06, 0.06"), block = rubber_box("0.0, 0.0", "0.06, 0.06");
 
 const EffectCost& cost_of(const SceneCost& cost, Effect effect) {
     for (const EffectCost& e : cost.effects)

@@ -8,25 +8,10 @@ namespace sluice {
 namespace {
 
 /// Water 0.1 m deep against a clamped wall on its right; mirrored floor and back.
-std::string dam(const std::string& more = "") {
-    return "gravity = [0.0, -9.81]\n" + preamble(0.005) + R"toml(
-[bodies.water]
-material = "water"
-shape = { box = { min = [0.0, 0.0], max = [0.1, 0.1] } }
-hydrostatic_surface = 0.1
-[bodies.wall]
-material = "rubber"
-shape = { box = { min = [0.1, 0.0], max = [0.12, 0.14] } }
-clamp = { box = { min = [0.1, 0.0], max = [0.12, 0.14] } }
-[walls.floor]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [0.0, 1.0]
-[walls.back]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [1.0, 0.0]
-)toml" + more;
+std::string dam() {
+    return with_gravity + preamble(0.005) + water_box("0.0, 0.0", "0.1, 0.1") + "hydrostatic_surface = 0.1\n" +
+           box_body("wall", "rubber", "0.1, 0.0", "0.12, 0.14") +
+           "clamp = { box = { min = [0.1, 0.0], max = [0.12, 0.14] } }\n" + mirror_floor + mirror_back("0.0");
 }
 
 /// Without any dissipation the layer at a moving boundary grows rough within some 500 steps, until it boils.
@@ -84,14 +69,7 @@ TEST_CASE("The fluid sees a free solid's acceleration: elastic, gravity's and it
 TEST_CASE("Fluid that falls with a solid feels nothing of it") {
     const std::string model = GENERATE("hypoelastic", "st-venant-kirchhoff");
     Simulation<2> s(scene_text::load(
-        "gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
-[bodies.water]
-material = "water"
-shape = { box = { min = [0.0, 0.0], max = [0.03, 0.03] } }
-[bodies.block]
-material = "rubber"
-shape = { box = { min = [0.0, -0.01], max = [0.03, 0.0] } }
-)toml",
+        with_gravity + preamble(0.0025) + water_box("0.0, 0.0", "0.03, 0.03") + rubber_box("0.0, -0.01", "0.03, 0.0"),
         {"method.coupling=moving-boundary", "materials.rubber.model=" + model, "method.solid.artificial_viscosity=0"}));
     advance(s, 20);
     // At the start the block is not yet known to fall, so that the water leans on it for one step; that fades.

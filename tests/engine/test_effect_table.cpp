@@ -38,7 +38,7 @@ std::set<std::string> words_of(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("The table's rows stand in the order of the enumeration, each with key, name, source and rule") {
+TEST_CASE("The table's rows stand in the order of the enumeration, and each has every entry") {
     std::set<std::string_view> keys, names;
     std::size_t row = 0;
     REQUIRE(effect_table().size() == effect_count);
@@ -47,6 +47,9 @@ TEST_CASE("The table's rows stand in the order of the enumeration, each with key
         REQUIRE(static_cast<std::size_t>(effect.info.effect) == row++);
         REQUIRE_FALSE(effect.info.name.empty());
         REQUIRE_FALSE(effect.info.equation.empty());
+        REQUIRE(effect.info.automatic.starts_with("on if "));
+        REQUIRE_FALSE(effect.info.formula.empty());
+        REQUIRE(effect.info.formula.find('\n') == std::string_view::npos);
         REQUIRE(effect.rule != nullptr);
         keys.insert(effect.info.key);
         names.insert(effect.info.name);

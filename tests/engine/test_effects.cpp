@@ -7,16 +7,7 @@
 namespace sluice {
 namespace {
 
-const std::string water = R"toml(
-[bodies.water]
-material = "water"
-shape = { box = { min = [0.0, 0.0], max = [0.02, 0.02] } }
-)toml";
-const std::string block = R"toml(
-[bodies.block]
-material = "rubber"
-shape = { box = { min = [0.03, 0.0], max = [0.05, 0.02] } }
-)toml";
+const std::string water = water_box("0.0, 0.0", "0.02, 0.02"), block = rubber_box("0.03, 0.0", "0.05, 0.02");
 
 }  // namespace
 
@@ -71,7 +62,7 @@ TEST_CASE("The time step is the smallest Courant limit, or what the scene fixes"
 
 TEST_CASE("The hydrostatic start gives each particle the weight of the water above it") {
     const Simulation<2> simulation(
-        scene_text::load("gravity = [0.0, -9.81]\n" + preamble(0.002) + water + "hydrostatic_surface = 0.02\n"));
+        scene_text::load(with_gravity + preamble(0.002) + water + "hydrostatic_surface = 0.02\n"));
     const auto& fluid = simulation.fluid();
     for (std::size_t i = 0; i < fluid.owned; ++i) {
         const double p = 1000 * 9.81 * (0.02 - fluid.position[i][1]);
@@ -81,16 +72,7 @@ TEST_CASE("The hydrostatic start gives each particle the weight of the water abo
 }
 
 TEST_CASE("Single-precision pairs give the same motion within their accuracy") {
-    const std::string text = "gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
-[bodies.water]
-material = "water"
-shape = { box = { min = [-0.05, 0.0], max = [0.0, 0.06] } }
-hydrostatic_surface = 0.06
-[bodies.gate]
-material = "rubber"
-shape = { box = { min = [0.0, 0.0], max = [0.01, 0.06] } }
-clamp = { box = { min = [0.0, 0.05], max = [0.01, 0.06] } }
-)toml";
+    const std::string text = with_gravity + preamble(0.0025) + water_at_gate("-0.05");
     Simulation<2> exact(scene_text::load(text)), mixed(scene_text::load(text, {"method.precision=mixed"}));
     advance(exact, 300);
     advance(mixed, 300);
@@ -156,8 +138,8 @@ TEST_CASE("An effect switched off is the same, to the bit, as one whose constant
     }));
     INFO(off.effect);
     // Everything moves and shears, so that no term vanishes by itself.
-    const std::string text = "gravity = [0.0, -9.81]\n" + preamble(0.002) + water +
-                             "velocity = [\"10*y\", \"-0.2+5*x\"]\n" + block + "velocity = [\"10*y\", \"0.2-5*x\"]\n";
+    const std::string text = with_gravity + preamble(0.002) + water + "velocity = [\"10*y\", \"-0.2+5*x\"]\n" + block +
+                             "velocity = [\"10*y\", \"0.2-5*x\"]\n";
     std::vector<std::string> with = off.present, without = off.present, switched = off.present;
     without.emplace_back(off.constant);
     switched.push_back(std::string("effects.") + off.effect + "=off");

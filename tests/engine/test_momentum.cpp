@@ -12,22 +12,6 @@ double total_mass(const Simulation<2>& s) {
     return m;
 }
 
-/// A free elastic body of some shape, hit by a moving block of water; no walls, no gravity, no velocity filter (whose
-/// normalisation, eq. 16, differs between the partners of a pair and so does not conserve momentum).
-std::string collision(const std::string& body_shape) {
-    return preamble(0.002) + R"toml(
-[method.fluid]
-velocity_filter = 1.0
-[bodies.water]
-material = "water"
-shape = { box = { min = [-0.04, -0.02], max = [-0.001, 0.02] } }
-velocity = [1.0, 0.1]
-[bodies.target]
-material = "rubber"
-shape = )toml" +
-           body_shape;
-}
-
 }  // namespace
 
 TEST_CASE("Water hitting a free elastic body of any shape conserves momentum to rounding") {
@@ -71,8 +55,8 @@ velocity = [-0.5, 0.2]
 }
 
 TEST_CASE("In free fall momentum grows by weight times time") {
-    Simulation<2> simulation(scene_text::load("gravity = [0.0, -9.81]\n" +
-                                              collision("{ circle = { centre = [0.017, 0.0], radius = 0.015 } }\n")));
+    Simulation<2> simulation(
+        scene_text::load(with_gravity + collision("{ circle = { centre = [0.017, 0.0], radius = 0.015 } }\n")));
     const Vec<2> before = simulation.momentum();
     advance(simulation, 200);
     // The velocity of the staggered scheme stands half a step behind the time.
@@ -83,24 +67,7 @@ TEST_CASE("In free fall momentum grows by weight times time") {
 }
 
 TEST_CASE("Where fluid meets solid at a mirror wall the balance closes with the wall's share") {
-    Simulation<2> simulation(scene_text::load("gravity = [0.0, -9.81]\n" + preamble(0.0025) + R"toml(
-[bodies.water]
-material = "water"
-shape = { box = { min = [-0.05, 0.0], max = [0.0, 0.06] } }
-hydrostatic_surface = 0.06
-[bodies.gate]
-material = "rubber"
-shape = { box = { min = [0.0, 0.0], max = [0.01, 0.06] } }
-clamp = { box = { min = [0.0, 0.05], max = [0.01, 0.06] } }
-[walls.floor]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [0.0, 1.0]
-[walls.back]
-kind = "mirror"
-point = [-0.05, 0.0]
-normal = [1.0, 0.0]
-)toml"));
+    Simulation<2> simulation(scene_text::load(gate_in_basin()));
     advance(simulation, 500);
     REQUIRE(simulation.interface_balance().force > 0);
     REQUIRE(simulation.interface_balance().residual < 1e-12);

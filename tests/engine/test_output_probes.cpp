@@ -85,8 +85,8 @@ TEST_CASE("Columns carry names and units") {
             std::vector<std::string>{"tip.x [m]", "tip.y [m]", "gate_pressure.p [Pa]", "tank_pressure.p [Pa]",
                                      "level.level [m]", "level_at_back.level [m]", "energy.kinetic [J/m]",
                                      "energy.potential [J/m]", "energy.compression [J/m]", "energy.elastic [J/m]",
-                                     "energy.total [J/m]", "momentum.x [kg/s]", "momentum.y [kg/s]", "force.x [N/m]",
-                                     "force.y [N/m]"});
+                                     "energy.contact [J/m]", "energy.total [J/m]", "momentum.x [kg/s]",
+                                     "momentum.y [kg/s]", "force.x [N/m]", "force.y [N/m]"});
 }
 
 TEST_CASE("Probes of water at rest show its depth and hydrostatic pressure") {

@@ -7,12 +7,6 @@
 namespace sluice {
 namespace {
 
-const std::string mirror_floor = R"toml(
-[walls.floor]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [0.0, 1.0]
-)toml";
 const std::string mirror_sides = R"toml(
 [walls.left]
 kind = "mirror"

@@ -1,4 +1,7 @@
 // Lists in use: pruned again and again, dealt out to threads, the same on every processor.
+#include <algorithm>
+#include <map>
+
 #include "tests/catch.hpp"
 #include "tests/neighbor/list_rules.hpp"
 
@@ -126,5 +129,90 @@ TEMPLATE_TEST_CASE_SIG("a search keeps nothing of the one before", "[list]", ((i
         searcher.prune(c.queries(), c.targets(), c.cut, list);
         CAPTURE(c.name);
         CHECK((contents(list) == contents(search(c))));
+    }
+}
+
+namespace {
+
+constexpr std::uint64_t end_of_part = ~std::uint64_t{0};
+
+/// Candidates of a query cluster that its rows hold, in order, and where a part ends.
+std::vector<std::uint64_t> row_of(const NeighborList& list, const ListView::Block& block, Index q) {
+    const ListView view = list.view();
+    std::vector<std::uint64_t> row{view.equal_reach[q]};
+    for (Index p = block.parts.begin; p < block.parts.end; ++p) {
+        const ListView::Row& r = view.row[view.part[p].first_row + (q - block.queries.begin)];
+        for (std::uint32_t e = 0; e < r.near; ++e)
+            list.for_candidates(view.part[p].candidates.begin + view.entry[r.begin + e],
+                                [&](Index j) { row.push_back(j); });
+        row.push_back(end_of_part);
+    }
+    return row;
+}
+
+/// Each query cluster's row, by the cluster's particles.
+std::map<std::vector<Index>, std::vector<std::uint64_t>> rows_of(const NeighborList& list) {
+    std::map<std::vector<Index>, std::vector<std::uint64_t>> rows;
+    for (std::size_t b = 0; b < list.blocks(); ++b) {
+        const ListView::Block& block = list.view().block[b];
+        for (Index q = block.queries.begin; q < block.queries.end; ++q) {
+            std::vector<Index> members;
+            list.for_queries(q, [&](Index i) { members.push_back(i); });
+            rows[members] = row_of(list, block, q);
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("queries that are kept keep their rows, and the others are gone", "[list]", ((int Dim), Dim), 2,
+                       3) {
+    Random random(5);
+    for (const auto& c : search_cases<Dim>()) {
+        const NeighborList whole = search(c);
+        // A half space and some strays, as a clamp has it; all; none.
+        std::vector<std::uint8_t> some(c.query.size()), all(c.query.size(), 1), none(c.query.size(), 0);
+        for (std::size_t i = 0; i < some.size(); ++i) some[i] = c.query[i][0] > 0.4 || random.vector<1>(0, 1)[0] < 0.02;
+        for (const auto& wanted : {some, all, none}) {
+            NeighborList kept = whole;
+            kept.keep_queries(wanted);
+            prune(c, c.cut, kept);
+            const auto before = rows_of(whole), after = rows_of(kept);
+            std::size_t size = 0;
+            bool same = true, right = true;
+            for (const auto& [members, row] : before) {
+                const bool is_wanted =
+                    std::any_of(members.begin(), members.end(), [&](Index i) { return wanted[i] != 0; });
+                const auto found = after.find(members);
+                right = right && (found != after.end()) == is_wanted;
+                same = same && (found == after.end() || found->second == row);
+                if (is_wanted) size += members.size();
+            }
+            CAPTURE(c.name);
+            CHECK(same);
+            CHECK(right);
+            CHECK(after.size() <= before.size());
+            CHECK(kept.size() == size);
+            CHECK(kept.pairs() <= whole.pairs());
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("the candidates that are marked are those of the rows asked for", "[list]", ((int Dim), Dim), 2,
+                       3) {
+    Random random(6);
+    for (const auto& c : search_cases<Dim>()) {
+        const NeighborList list = search(c);
+        std::vector<std::uint8_t> wanted(c.query.size()), marked(c.targets().position.size()), expected(marked.size());
+        for (std::uint8_t& w : wanted) w = random.vector<1>(0, 1)[0] < 0.1;
+        list.mark_candidates(wanted, marked);
+        for (const auto& [members, row] : rows_of(list)) {
+            if (std::none_of(members.begin(), members.end(), [&](Index i) { return wanted[i] != 0; })) continue;
+            for (std::size_t n = 1; n < row.size(); ++n)
+                if (row[n] != end_of_part) expected[row[n]] = 1;
+        }
+        CAPTURE(c.name);
+        CHECK((marked == expected));
     }
 }

@@ -25,7 +25,8 @@ from lib.scatter import from_linear  # noqa: E402
 ACROSS = (4, 6, 8)
 QUIET_FROM = 0.05   # s: before it the pressure is that of the water hammer when the gate is let go
 PERIODS = (1e-3, 5e-3)  # s: noise is what a moving average over this leaves
-NEAR_GATE = 3e-3    # m: water in front of the gate, where the particles' scatter is measured
+NEAR_GATE = 3e-3    # m: water in front of the gate, where the particles' scatter is measured,
+HEIGHTS = (0.015, 0.06)  # m above the floor: neither the jet nor the surface
 FIT = 2.5           # d: radius of the fit that stands for a smooth pressure
 
 
@@ -89,8 +90,9 @@ def scatter(run, across):
         fluid = frame.of(FLUID)
         water = frame.points[fluid]
         residual = from_linear(water, frame["pressure"][fluid], FIT * sweep.THICKNESS / across)
-        near = residual[outline.place(frame).near_wet_side(water, NEAR_GATE) & np.isfinite(residual)]
-        found.append(rms(near))
+        near = outline.place(frame).near_wet_side(water, NEAR_GATE)
+        near &= (water[:, 1] > HEIGHTS[0]) & (water[:, 1] < HEIGHTS[1])
+        found.append(rms(residual[near & np.isfinite(residual)]))
     return float(np.median(found))
 
 
@@ -103,7 +105,8 @@ def noise_text(results, paper):
                   for period in PERIODS]
         rows += [[f"d = s/{across}", what, number(a, 1), number(b, 1), f"{a / b:.2f}"] for what, a, b in pairs]
     return (f"From {QUIET_FROM:g} s on. *Between particles*: p less a linear fit to the neighbours within {FIT:g} d, for "
-            f"those less than {1e3 * NEAR_GATE:g} mm from the gate (RMS, median over the frames). *Faster than*: what a "
+            f"those less than {1e3 * NEAR_GATE:g} mm from the gate, {1e3 * HEIGHTS[0]:g} to {1e3 * HEIGHTS[1]:g} mm "
+            "above the floor (RMS, median over the frames). *Faster than*: what a "
             "moving average leaves of a probe's pressure, on the gate's wet face 20 mm above its foot, and at (-10, 20) "
             "mm; a probe is a mean over a kernel.\n\n" +
             table(["", "noise", "paper's scheme [Pa]", "modern [Pa]", "ratio"], rows))
