@@ -11,10 +11,10 @@
 namespace sluice {
 
 struct RunOptions {
-    std::filesystem::path directory;    ///< for the results; made if need be
-    int threads = 0;                    ///< 0 = as many as OpenMP offers
-    std::optional<double> until;        ///< simulated time to run to [s], in place of the scene's
-    std::filesystem::path resume_from;  ///< a checkpoint in the directory to go on from; empty = start anew
+    std::filesystem::path directory;      ///< for the results; made if need be
+    int threads = 0;                      ///< 0 = as many as OpenMP offers
+    std::optional<double> until;          ///< simulated time to run to [s], in place of the scene's
+    std::filesystem::path resume_from{};  ///< a checkpoint in the directory to go on from; empty = start anew
 };
 
 struct RunStatus {
