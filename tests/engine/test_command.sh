@@ -110,9 +110,8 @@ same() {
     diff -r "$1/frames" "$2/frames" || fail "$2/frames are not those of $1"
 }
 
-expect 2 "SCENE is required" "$program" run --force
 expect 2 "--force requires --resume" "$program" run "$gate" --force
-expect 2 "--resume excludes --output" "$program" run --resume stopped -o other
+expect 2 "--output excludes --resume" "$program" run --resume stopped -o other
 expect 2 "missing: found no such folder" "$program" run --resume missing
 mkdir empty
 expect 2 "empty: found no checkpoint" "$program" run --resume empty
