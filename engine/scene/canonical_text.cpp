@@ -38,12 +38,6 @@ std::string written(std::string_view key, const toml::node& node) {
     return text.str();
 }
 
-/// A key with the quotes that it needs.
-std::string quoted(std::string_view key) {
-    const std::string line = written(key, toml::value<bool>(true));
-    return line.substr(0, line.rfind(" ="));
-}
-
 void write_table(const toml::table& table, const std::string& path, int depth, std::string& text) {
     const bool ordered = depth == 1 && keeps_order(path);
     std::vector<std::string> keys = keys_in_file_order(table);
@@ -56,8 +50,7 @@ void write_table(const toml::table& table, const std::string& path, int depth, s
     if (!path.empty() && (first_table != keys.begin() || keys.empty())) text += "\n[" + path + "]\n";
     for (auto key = keys.begin(); key != first_table; ++key) text += written(*key, *table.get(*key)) + "\n";
     for (auto key = first_table; key != keys.end(); ++key)
-        write_table(*table.get(*key)->as_table(), path.empty() ? quoted(*key) : path + "." + quoted(*key), depth + 1,
-                    text);
+        write_table(*table.get(*key)->as_table(), path.empty() ? *key : path + "." + *key, depth + 1, text);
 }
 
 }  // namespace

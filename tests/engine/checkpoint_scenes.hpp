@@ -28,7 +28,7 @@ viscosity = 0.01
 [bodies.water]
 material = "water"
 shape = { box = { min = [0.0, 0.0], max = [0.04, 0.02] } }
-velocity = ["0.8", "0.2*sin(100*x)"]
+velocity = ["1.5", "0.2*sin(100*x)"]
 [walls.floor]
 kind = "fixed"
 shape = { box = { min = [0.0, -0.012], max = [0.04, 0.0] } }
@@ -50,8 +50,8 @@ struct Case {
 
 inline std::vector<Case> cases() {
     const std::string gate = test_scene("small_gate.toml"), tank = test_scene("still_water_3d.toml");
-    const std::string shaken = "bodies.tank.velocity=['0.5*sin(100*y)', '-0.3']";
-    const std::vector<std::string> modern{"method.preset=modern", "method.expected_speed=1", shaken};
+    const std::string shaken = "bodies.tank.velocity=['1.5*sin(100*y)', '-0.8']";
+    const std::vector<std::string> modern{"method.preset=modern", "method.expected_speed=2", shaken};
     const auto with = [&](std::vector<std::string> more, const std::vector<std::string>& all) {
         more.insert(more.end(), all.begin(), all.end());
         return more;
@@ -68,9 +68,9 @@ inline std::vector<Case> cases() {
         {"modern, hypoelastic", load_scene(gate, with({"materials.rubber.model=hypoelastic"}, modern))},
         {"modern, gradients of density", load_scene(gate, with({"method.fluid.density_diffusion=antuono"}, modern))},
         {"periodic box, moving wall, friction", scene_text::load(channel)},
-        {"3D", load_scene(tank, {"bodies.tank.velocity=['0.5', '0', '0.3*sin(50*y)']"})},
+        {"3D", load_scene(tank, {"bodies.tank.velocity=['1.5', '0', '0.5*sin(50*y)']"})},
         {"3D, modern",
-         load_scene(tank, {"method.preset=modern", "bodies.tank.velocity=['0.5', '0', '0.3*sin(50*y)']"})},
+         load_scene(tank, {"method.preset=modern", "bodies.tank.velocity=['1.5', '0', '0.5*sin(50*y)']"})},
         {"contact", scene_text::load(discs)},
     };
 }

@@ -198,12 +198,6 @@ TEST_CASE("The scene beside the results keeps the order of what has names") {
     for (std::size_t p = 0; p < first.probes.size(); ++p) REQUIRE(second.probes[p].name == first.probes[p].name);
     for (std::size_t w = 0; w < first.walls.size(); ++w) REQUIRE(second.walls[w].name == first.walls[w].name);
     REQUIRE(first.bodies[0].name == "water");
-    // So does what is written within a line or has a name that needs quotes.
-    const std::string odd =
-        scene_text::with(text, "[probes.balance]\nkind = \"energy\"", "[probes.\"a balance\"]\nkind = \"energy\"");
-    const Scene quoted = scene_text::load(odd);
-    REQUIRE(quoted.probes[2].name == "a balance");
-    REQUIRE(scene_text::load(quoted.source).probes[2].name == "a balance");
 }
 
 }  // namespace sluice
