@@ -4,15 +4,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include "engine/command/commands.hpp"
 #include "engine/command/cost_table.hpp"
 #include "engine/command/scene_options.hpp"
+#include "engine/command/study_text.hpp"
 #include "engine/command/thread_settings.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/output/report.hpp"
 #include "engine/output/summary.hpp"
+#include "engine/study/stored_study.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {
@@ -86,7 +89,23 @@ struct CheckArguments {
     SceneOptions scene;
     bool cost = false;
     int threads = 0;
+    std::string target_error;
+    std::string study;
 };
+
+/// 3% or 0.03.
+double share_of(const std::string& text) {
+    std::size_t end = 0;
+    const double value = std::stod(text, &end);
+    return text.substr(end) == "%" ? value / 100 : value;
+}
+
+std::string share_problem(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    const bool is_share = end != text.c_str() && value > 0 && (*end == '\0' || std::string(end) == "%");
+    return is_share ? "" : fmt::format("found \"{}\", expected a share > 0, like 3% or 0.03", text);
+}
 
 template <int Dim>
 std::string scene_text(const Scene& scene) {
@@ -100,6 +119,7 @@ std::string scene_text(const Scene& scene) {
     text += row("scene hash", text_hash(scene.source));
     const std::vector<std::string> columns = probes.columns();
     text += row("probe columns", columns.empty() ? "none" : fmt::format("{}", fmt::join(columns, ", ")));
+    text += reference_table(scene);
     return text + "\n" + effect_table(simulation.effects());
 }
 
@@ -107,6 +127,13 @@ template <int Dim>
 ExitCode check_scene(const Scene& scene, const CheckArguments& arguments) {
     print(scene_text<Dim>(scene));
     if (arguments.cost) print("\n" + cost_text(measure_cost<Dim>(scene), scene.output.end));
+    return ExitCode::done;
+}
+
+ExitCode tell_target(const Scene& scene, const CheckArguments& arguments) {
+    const std::filesystem::path file =
+        arguments.study.empty() ? study_beside(scene.file) : std::filesystem::path(arguments.study);
+    print(target_report(scene, file, share_of(arguments.target_error)));
     return ExitCode::done;
 }
 
@@ -122,11 +149,21 @@ void add_check_command(CLI::App& program, Deed& chosen) {
         ->type_name("N")
         ->check(CLI::Range(1, most_threads))
         ->needs(cost);
+    CLI::Option* target =
+        command
+            .add_option("--target-error", arguments->target_error,
+                        "Say instead which settings reach this error, and at what cost, by the study of the scene")
+            ->type_name("SHARE")
+            ->check(CLI::Validator(share_problem, ""));
+    command.add_option("--study", arguments->study, "The study to ask [study.json beside the scene]")
+        ->type_name("FILE")
+        ->needs(target);
     command.callback([arguments, &chosen] {
         chosen = [arguments] {
             if (arguments->cost) use_thread_settings(arguments->threads);
             if (arguments->threads > 0) omp_set_num_threads(arguments->threads);
             const Scene scene = load_scene(arguments->scene.file, arguments->scene.overrides);
+            if (!arguments->target_error.empty()) return tell_target(scene, *arguments);
             return scene.dimension == 2 ? check_scene<2>(scene, *arguments) : check_scene<3>(scene, *arguments);
         };
     });

@@ -1,7 +1,9 @@
 // The subcommands of `sluice`.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <string>
 
 #include "engine/command/exit_code.hpp"
 
@@ -20,5 +22,11 @@ void add_run_command(CLI::App& program, Deed& chosen);
 void add_check_command(CLI::App& program, Deed& chosen);
 /// `sluice help`: what the effects are.
 void add_help_command(CLI::App& program, Deed& chosen);
+
+/// `sluice study`: runs a scene over a matrix of settings.
+void add_study_command(CLI::App& program, Deed& chosen);
+
+/// results/NAME, where NAME is the scene file's, or its folder's if all scenes are called `scene`.
+std::filesystem::path default_directory(const std::string& scene_file);
 
 }  // namespace sluice

@@ -15,6 +15,7 @@
 #include "engine/errors.hpp"
 #include "engine/output/version.hpp"
 #include "engine/run.hpp"
+#include "engine/study/stored_study.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {
@@ -36,17 +37,10 @@ std::vector<std::string> isa_names() {
     return names;
 }
 
-/// results/NAME, where NAME is the scene file's, or its folder's if all scenes are called `scene`.
-std::filesystem::path default_directory(const std::string& scene_file) {
-    const std::filesystem::path file = std::filesystem::absolute(scene_file).lexically_normal();
-    const std::filesystem::path folder = file.parent_path().filename();
-    const bool by_folder = file.stem() == "scene" && !folder.empty();
-    return std::filesystem::path("results") / (by_folder ? folder : file.stem());
-}
-
-ExitCode report(const RunStatus& status, const std::filesystem::path& directory) {
+/// What is told when a run ends. `expected`: of a whole run's results.
+ExitCode report(const RunStatus& status, const std::string& expected, const std::filesystem::path& directory) {
     if (status.state == RunState::failed) print_error(status.message);
-    print(status.report + "results in " + directory.string() + "\n");
+    print(status.report + (status.state == RunState::done ? expected : "") + "results in " + directory.string() + "\n");
     switch (status.state) {
         case RunState::failed:
             return ExitCode::numerical_failure;
@@ -63,7 +57,8 @@ ExitCode run_scene(const RunArguments& arguments) {
     const Scene scene = load_scene(arguments.scene.file, arguments.scene.overrides);
     std::filesystem::path directory = arguments.directory;
     if (directory.empty()) directory = default_directory(arguments.scene.file);
-    return report(run(scene, {directory, arguments.threads, arguments.until, {}}), directory);
+    return report(run(scene, {directory, arguments.threads, arguments.until, {}}),
+                  arguments.until ? "" : expectation_text(scene), directory);
 }
 
 /// Another instruction set, or another program, adds up in another way: said, as results then are no longer the same
@@ -113,10 +108,18 @@ ExitCode resume_run(const RunArguments& arguments) {
     print_note(fmt::format("going on from {}: step {}, {:.6g} s", point.checkpoint.string(), point.label.step,
                            point.label.time));
     const double until = arguments.until.value_or(point.label.end_time);
-    return report(run(scene, {directory, arguments.threads, until, point.checkpoint}), directory);
+    return report(run(scene, {directory, arguments.threads, until, point.checkpoint}),
+                  arguments.until ? "" : expectation_text(scene), directory);
 }
 
 }  // namespace
+
+std::filesystem::path default_directory(const std::string& scene_file) {
+    const std::filesystem::path file = std::filesystem::absolute(scene_file).lexically_normal();
+    const std::filesystem::path folder = file.parent_path().filename();
+    const bool by_folder = file.stem() == "scene" && !folder.empty();
+    return std::filesystem::path("results") / (by_folder ? folder : file.stem());
+}
 
 void add_run_command(CLI::App& program, Deed& chosen) {
     CLI::App& command = *program.add_subcommand("run", "Compute a scene");

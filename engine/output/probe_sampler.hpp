@@ -35,6 +35,10 @@ ProbeSamplerPtr<Dim> make_pressure_probe(const Probe& probe, const Simulation<Di
 template <int Dim>
 ProbeSamplerPtr<Dim> make_level_probe(const Probe& probe, const Simulation<Dim>& initial);
 
+/// How far the velocity of a fluid body is from a stated field [m/s].
+template <int Dim>
+ProbeSamplerPtr<Dim> make_velocity_error_probe(const Probe& probe, const Simulation<Dim>& initial);
+
 /// Energy, momentum, and the fluid's force on a body.
 template <int Dim>
 ProbeSamplerPtr<Dim> make_energy_probe(const Probe& probe);

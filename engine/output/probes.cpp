@@ -26,6 +26,8 @@ ProbeSamplerPtr<Dim> make_sampler(const Probe& probe, const Simulation<Dim>& ini
             return make_momentum_probe<Dim>(probe);
         case ProbeKind::force:
             return make_force_probe<Dim>(probe);
+        case ProbeKind::velocity_error:
+            return make_velocity_error_probe<Dim>(probe, initial);
     }
     throw std::logic_error("probe '" + probe.name + "': unknown kind");
 }

@@ -55,7 +55,8 @@ void write_table(const toml::table& table, const std::string& path, int depth, s
 
 }  // namespace
 
-std::string canonical_text(const toml::table& root) {
+std::string canonical_text(toml::table root) {
+    root.erase("reference");
     std::string text;
     write_table(root, "", 0, text);
     return text;

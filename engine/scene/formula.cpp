@@ -12,6 +12,7 @@ namespace {
 
 // Where a formula is tried when it is compiled: three values that no sensible assignment would leave in place.
 constexpr Point trial{0.337, 0.571, 0.793};
+constexpr double trial_time = 0.419;
 
 }  // namespace
 
@@ -22,10 +23,13 @@ struct CompiledFormula::Impl {
     Variable variable;
     mu::Parser parser;
     Point at = trial;
+    double time = trial_time;  ///< beside a place
 
     /// `message` with the key, what was found, and what may be used.
     [[noreturn]] void fail(const std::string& problem) const {
-        std::string names = variable == Variable::place ? "x, y, z, pi" : "t, pi";
+        std::string names = variable == Variable::place  ? "x, y, z, pi"
+                            : variable == Variable::time ? "t, pi"
+                                                         : "x, y, z, t, pi";
         for (const auto& [name, value] : scene->constants) names += ", " + name;
         scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", text, problem, names));
     }
@@ -50,17 +54,19 @@ CompiledFormula::CompiledFormula(const Scene& scene, std::string key, const Form
     impl_->text = text;
     impl_->variable = variable;
     mu::Parser& parser = impl_->parser;
-    if (variable == Variable::place) {
+    if (variable == Variable::time) {
+        parser.DefineVar("t", &impl_->at[0]);
+    } else {
         parser.DefineVar("x", &impl_->at[0]);
         parser.DefineVar("y", &impl_->at[1]);
         parser.DefineVar("z", &impl_->at[2]);
-    } else
-        parser.DefineVar("t", &impl_->at[0]);
+        if (variable == Variable::place_and_time) parser.DefineVar("t", &impl_->time);
+    }
     parser.DefineConst("pi", std::numbers::pi);
     for (const auto& [name, value] : scene.constants) parser.DefineConst(name, value);
     parser.SetExpr(text.empty() ? "0" : text);
     impl_->evaluate();
-    if (impl_->at != trial) impl_->fail("an assignment (to compare, write ==)");
+    if (impl_->at != trial || impl_->time != trial_time) impl_->fail("an assignment (to compare, write ==)");
 }
 
 CompiledFormula::~CompiledFormula() = default;
@@ -73,6 +79,14 @@ double CompiledFormula::operator()(const Point& p) const {
     if (!std::isfinite(value))
         impl_->fail(impl_->variable == Variable::place ? fmt::format("{} at ({}, {}, {})", value, p[0], p[1], p[2])
                                                        : fmt::format("{} at t = {} s", value, p[0]));
+    return value;
+}
+
+double CompiledFormula::at(const Point& p, double t) const {
+    impl_->at = p;
+    impl_->time = t;
+    const double value = impl_->evaluate();
+    if (!std::isfinite(value)) impl_->fail(fmt::format("{} at ({}, {}, {}), t = {} s", value, p[0], p[1], p[2], t));
     return value;
 }
 

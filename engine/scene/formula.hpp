@@ -8,8 +8,8 @@
 
 namespace sluice {
 
-/// What a formula depends on: x, y and z, or t.
-enum class Variable { place, time };
+/// What a formula depends on: x, y and z, or t, or all four.
+enum class Variable { place, time, place_and_time };
 
 /// Knows its variables, pi, the scene's [constants] and muParser's functions. Must not outlive the scene; one thread at
 /// a time.
@@ -25,6 +25,8 @@ class CompiledFormula {
     double operator()(const Point& p) const;
     /// At a time [s].
     double operator()(double t) const { return (*this)(Point{t, 0, 0}); }
+    /// At a place and a time [s].
+    double at(const Point& p, double t) const;
 
   private:
     struct Impl;

@@ -60,7 +60,8 @@ std::vector<std::string> names_in(const toml::table& table) {
 /// In a table of the user's own names a misspelt name would not be noticed, or would be taken for a new body.
 void check_name(const toml::table& root, const Override& change, const std::string& file) {
     const std::string& kind = change.keys[0];
-    const bool named = kind == "bodies" || kind == "materials" || kind == "walls" || kind == "probes";
+    const bool named =
+        kind == "bodies" || kind == "materials" || kind == "walls" || kind == "probes" || kind == "reference";
     const bool inside = (named && change.keys.size() > 2) || (kind == "constants" && change.keys.size() > 1);
     if (!inside) return;
     const toml::table* table = root[kind].as_table();

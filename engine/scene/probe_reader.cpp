@@ -5,9 +5,10 @@
 namespace sluice {
 namespace {
 
-const std::vector<std::string> kind_names{"displacement", "pressure", "water_level", "energy", "momentum", "force"};
-constexpr ProbeKind kinds[]{ProbeKind::displacement, ProbeKind::pressure, ProbeKind::water_level,
-                            ProbeKind::energy,       ProbeKind::momentum, ProbeKind::force};
+const std::vector<std::string> kind_names{"displacement", "pressure", "water_level",   "energy",
+                                          "momentum",     "force",    "velocity_error"};
+constexpr ProbeKind kinds[]{ProbeKind::displacement, ProbeKind::pressure, ProbeKind::water_level,   ProbeKind::energy,
+                            ProbeKind::momentum,     ProbeKind::force,    ProbeKind::velocity_error};
 
 std::size_t read_body_of(const TomlValue& value) {
     std::vector<std::string> names;
@@ -20,6 +21,14 @@ std::size_t read_solid_of(const TomlValue& value) {
     const Scene& scene = value.scene();
     if (scene.materials[scene.bodies[body].material].kind != MaterialKind::solid)
         value.fail(fmt::format("found \"{}\", a fluid, expected a solid body", scene.bodies[body].name));
+    return body;
+}
+
+std::size_t read_fluid_of(const TomlValue& value) {
+    const std::size_t body = read_body_of(value);
+    const Scene& scene = value.scene();
+    if (scene.materials[scene.bodies[body].material].kind != MaterialKind::fluid)
+        value.fail(fmt::format("found \"{}\", a solid, expected a fluid body", scene.bodies[body].name));
     return body;
 }
 
@@ -52,6 +61,10 @@ Probe read_probe(TomlTable& table, const std::string& name) {
             break;
         case ProbeKind::force:
             probe.body = read_solid_of(table.get("body"));
+            break;
+        case ProbeKind::velocity_error:
+            probe.body = read_fluid_of(table.get("body"));
+            probe.velocity = read_formulas(table.get("velocity"), Variable::place_and_time);
             break;
         case ProbeKind::energy:
         case ProbeKind::momentum:

@@ -82,6 +82,7 @@ void read_scene(TomlTable& root) {
     read_walls(root);
     read_probes(root);
     read_output(root);
+    read_references(root);
     root.finish();
 }
 

@@ -15,6 +15,7 @@ void read_materials(TomlTable& root);
 void read_bodies(TomlTable& root);
 void read_walls(TomlTable& root);
 void read_probes(TomlTable& root);
+void read_references(TomlTable& root);
 
 ShapePtr read_shape(const TomlValue& value);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/geometry/shape.hpp"
+#include "engine/scene/reference.hpp"
 #include "kernels/density_passes.hpp"
 #include "kernels/fluid_passes.hpp"
 #include "kernels/smoothing.hpp"
@@ -41,7 +42,7 @@ struct Material {
     double bulk_modulus() const { return density * sound_speed * sound_speed; }
 };
 
-/// A formula in x, y, z, or in t, and the scene's [constants]; empty = 0.
+/// A formula in x, y, z, or in t, or in all of them, and the scene's [constants]; empty = 0.
 using Formula = std::string;
 
 struct Body {
@@ -78,13 +79,14 @@ struct Wall {
     double spacing = 0;  ///< fixed: [m]
 };
 
-enum class ProbeKind { displacement, pressure, water_level, energy, momentum, force };
+enum class ProbeKind { displacement, pressure, water_level, energy, momentum, force, velocity_error };
 
 struct Probe {
     std::string name;
     ProbeKind kind = ProbeKind::energy;
-    std::optional<std::size_t> body;  ///< displacement, force, pressure on a surface: index into Scene::bodies
+    std::optional<std::size_t> body;  ///< displacement, force, velocity error, pressure on a surface: index of bodies
     Point at{};                       ///< displacement, pressure: reference position; water_level: x (2D), x and z (3D)
+    std::array<Formula, 3> velocity;  ///< velocity_error: what it should be, in x, y, z and t [m/s]
 };
 
 /// Method constants of one medium. A value of 0 (or θ = 1) takes the term out of the loops.
@@ -146,8 +148,8 @@ using KeyLines = std::map<std::string, int>;
 struct Scene {
     std::string title;
     std::string file;    ///< path as given, for messages
-    std::string source;  ///< the file's text with the command line's changes applied, as canonical TOML; hashed for
-                         ///< summary.json
+    std::string source;  ///< the file's text with the command line's changes applied, as canonical TOML, without the
+                         ///< references, which change nothing in a run; hashed for summary.json
     int dimension = 2;
     Point gravity{};
     std::array<Formula, 3> acceleration;  ///< that depends on time, as formulas in t; added to gravity [m/s²]
@@ -158,6 +160,7 @@ struct Scene {
     std::vector<Body> bodies;
     std::vector<Wall> walls;
     std::vector<Probe> probes;
+    std::vector<Reference> references;
     Method method;
     std::map<std::string, Switch> switches;  ///< of effects, by their keys; absent = automatic
     OutputTimes output;

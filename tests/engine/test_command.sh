@@ -83,6 +83,56 @@ expect 2 "choose another folder" "$program" run tank/scene.toml -o tank
 expect 1 "sluice: error: " "$program" run "$scenes/breakdown.toml" -o broken
 holds '"status": "failed"' broken/summary.json
 
+# A study: two that run, one that is refused, one that breaks down; each stands in the table.
+vortex=$scenes/small_vortex.toml
+expect 0 "reference energy" "$program" check "$vortex"
+expect 0 "3/4 mixed, spacing 50 mm" "$program" study "$vortex" --vary method.spacing=x2,x1 --vary method.precision=mixed,half -o vortices
+grep -q 'half .* failed: .* found "half", expected one of "double", "mixed"' out || fail "a refused setting is not in the table"
+for file in study.json study.csv study.svg study.html; do [ -s vortices/$file ] || fail "the study lacks $file"; done
+expect 0 "failed: " "$program" study "$scenes/breakdown.toml" --vary method.time_step=0.05,0.0001 --set output.end=0.1 -o torn
+holds "time step 0.0001" out
+# The same command again runs nothing.
+expect 0 "2 of 4 runs are done already" "$program" study "$vortex" --vary method.spacing=x2,x1 --vary method.precision=mixed,half -o vortices
+grep -q "CPU-s$" out && fail "a finished run is made again"
+expect 2 "expected key.path=V1,V2" "$program" study "$vortex" --vary method.spacing
+expect 2 "unknown key" "$program" study "$vortex" --vary method.spacign=1,2 -o none
+expect 2 "--vary is required" "$program" study "$vortex"
+[ ! -e none ] || fail "a refused study leaves a folder"
+
+# Killed in the middle, nothing that was done is lost and no run goes on.
+"$program" study "$vortex" --vary method.courant=0.1,0.15,0.2,0.25,0.3,0.35 --set output.end=0.4 --repeat 3 -o killed >out 2>&1 &
+pid=$!
+while [ -z "$(ls killed/runs/*/result.json 2>/dev/null)" ]; do sleep 0.05; done
+kill -KILL $pid
+wait $pid 2>/dev/null
+holds '"methods"' killed/study.json
+done_before=$(ls killed/runs/*/result.json | wc -l)
+[ "$done_before" -lt 18 ] || fail "the study was done before it could be killed"
+expect 0 "of 18 runs are done already" "$program" study "$vortex" --vary method.courant=0.1,0.15,0.2,0.25,0.3,0.35 --set output.end=0.4 --repeat 3 -o killed
+[ "$(ls killed/runs/*/result.json | wc -l)" -eq 18 ] || fail "the study was not completed"
+
+# Asked to stop, it says how to go on.
+"$program" study "$vortex" --vary method.spacing=0.004 -o stopping >out 2>&1 &
+pid=$!
+while [ ! -s stopping/runs/*/summary.json ]; do sleep 0.05; done
+kill -TERM $pid
+wait $pid
+code=$?
+[ $code -eq 130 ] || fail "an interrupted study returned $code"
+holds "goes on where it stopped" out
+[ -s stopping/study.html ] || fail "an interrupted study leaves no page"
+
+# Stored beside the scene it answers what settings an error takes, and what to expect of a run.
+mkdir vortex && cp "$vortex" vortex/scene.toml
+expect 2 "study.json: cannot be read" "$program" check vortex/scene.toml --target-error 3%
+expect 0 "stored as vortex/study.json" "$program" study vortex/scene.toml --vary method.spacing=x2,x1 -o kept --store
+expect 0 "For 50 % in energy: spacing" "$program" check vortex/scene.toml --target-error 50%
+holds "measured " out
+expect 2 "a share > 0" "$program" check vortex/scene.toml --target-error none
+expect 0 "expected error, by vortex/study.json" "$program" run vortex/scene.toml -o once
+expect 0 "particle-steps/s" "$program" run vortex/scene.toml -o other --set materials.water.viscosity=0.02
+grep -q "expected error" out && fail "a study of another scene is asked"
+
 touch occupied
 expect 3 "occupied" "$program" run "$gate" -o occupied
 expect 3 "No space left on device" sh -c '"$1" check "$2" >/dev/full' check "$program" "$gate"

@@ -157,7 +157,7 @@ def compare(run, quiet):
     verdict = judge(run, our_peak, rows, frames)
     verdict.print_table()
     if not quiet:
-        figures.draw_displacement(run, reference, mean, run.folder / "displacement.svg")
+        figures.draw_displacement([("sluice", run)], reference, mean, run.folder / "displacement.svg")
         print(f"Pictures: {run.folder / 'displacement.svg'}")
         if frames.time:
             figures.draw_flow(run, run.folder / "flow.png")

@@ -18,7 +18,8 @@ PUBLISHED = (  # column, label, colour, line style
 )
 
 
-def draw_displacement(run, reference, mean, path):
+def draw_displacement(runs, reference, mean, path):
+    """runs: (label, run), from the coarsest to the finest; curves that agree are seen one within the other."""
     plt = style.use()
     figure, (*axes, below) = plt.subplots(3, 1, figsize=(6.3, 7.0), layout="constrained",
                                           gridspec_kw={"height_ratios": (1, 1, 0.22)})
@@ -31,7 +32,10 @@ def draw_displacement(run, reference, mean, path):
                       markeredgecolor="0.25", markeredgewidth=0.7, label=f"experiment, digitisation {name[-1]}")
         for name, text, colour, dashes in PUBLISHED:
             axis.plot(t, reference[f"{name}_{component}"], color=colour, linestyle=dashes, linewidth=1.2, label=text)
-        axis.plot(run.time, 1e3 * run.probe(f"free_end.{component}"), color=style.BLUE, linewidth=2.0, label="sluice")
+        for i, (text, run) in enumerate(runs):
+            left = len(runs) - 1 - i
+            axis.plot(run.time, 1e3 * run.probe(f"free_end.{component}"), color=style.BLUE, linewidth=2.0 + 1.8 * left,
+                      alpha=1 / (1 + 1.5 * left), solid_capstyle="butt", label=text)
         axis.set_ylabel(f"{label} [mm]")
         axis.grid(color="0.92", linewidth=0.5)
         axis.set_axisbelow(True)
@@ -41,7 +45,7 @@ def draw_displacement(run, reference, mean, path):
     axes[0].tick_params(labelbottom=False)
     axes[1].set_xlabel("time [s]")
     handles, labels = axes[0].get_legend_handles_labels()
-    order = sorted(range(len(labels)), key=lambda i: labels[i] != "sluice")
+    order = sorted(range(len(labels)), key=lambda i: not labels[i].startswith("sluice"))
     below.axis("off")
     below.legend([handles[i] for i in order], [labels[i] for i in order], loc="center", ncol=3, fontsize=8)
     style.save(figure, path)

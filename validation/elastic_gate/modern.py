@@ -2,7 +2,7 @@
 """The gate with the modern preset at 4, 6 and 8 particles across: does it converge, and where to; pressure noise beside
 the paper's scheme.
 
-Writes modern.md beside this file. Runs that are done are not run again.
+Writes modern.md and modern.svg beside this file. Runs that are done are not run again.
 """
 import argparse
 import sys
@@ -14,6 +14,7 @@ CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parent))
 
 import compare  # noqa: E402
+import figures  # noqa: E402
 import sweep  # noqa: E402
 from gate_outline import GateOutline  # noqa: E402
 from lib import runs  # noqa: E402
@@ -42,6 +43,8 @@ def main():
              for across in ACROSS]
     text = report(results, paper, reference)
     (CASE / "modern.md").write_text(text)
+    figures.draw_displacement([(f"sluice, d = s/{across}", run) for across, run in results], reference,
+                              compare.experiment_mean(reference), CASE / "modern.svg")
     print(text)
 
 

@@ -1,0 +1,37 @@
+// What a probe should show: the truth that a study measures errors against. A run has no use for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sluice {
+
+/// How a curve is compared with its reference: point by point (rms, max), or by one number that both have.
+enum class Measure { rms, max, peak, peak_time, period, final, mean };
+
+/// Names as scenes have them, in the order of Measure.
+const std::vector<std::string>& measure_names();
+
+/// Whether curves are compared point by point.
+inline bool is_pointwise(Measure measure) { return measure == Measure::rms || measure == Measure::max; }
+
+/// At most one of formula, table and number is given; with none, the finest runs of a study stand in.
+struct Reference {
+    std::string name;
+    std::string column;  ///< of probes.csv, without its unit: "free_end.x"
+    Measure measure = Measure::rms;
+    std::string formula;                ///< in t
+    std::vector<double> time, value;    ///< the table
+    std::optional<double> number;       ///< what the measure should give
+    std::string table_file;             ///< as the scene states it
+    double from = 0;                    ///< what is before is not compared [s]
+    std::optional<double> to;           ///< nor what comes after; none = the end [s]
+    std::optional<double> scale;        ///< that relative errors refer to; none = the reference's own size
+    std::optional<double> uncertainty;  ///< of the reference, in the unit of the error
+    std::string source;                 ///< where it was published
+
+    bool is_stated() const { return !formula.empty() || !time.empty() || number.has_value(); }
+};
+
+}  // namespace sluice
