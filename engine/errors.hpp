@@ -17,4 +17,10 @@ class OutputError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A checkpoint is missing, damaged, or of another scene. The text names file and reason.
+class CheckpointError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 }  // namespace sluice

@@ -6,7 +6,10 @@
 #include <chrono>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "engine/checkpoint/checkpoint_store.hpp"
+#include "engine/checkpoint/checkpoint_times.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/frames.hpp"
@@ -15,8 +18,10 @@
 #include "engine/output/report.hpp"
 #include "engine/output/schedule.hpp"
 #include "engine/output/summary.hpp"
+#include "engine/output/version.hpp"
 #include "engine/state_check.hpp"
 #include "engine/stop_request.hpp"
+#include "neighbor/isa.hpp"
 
 namespace sluice {
 namespace {
@@ -51,6 +56,18 @@ void refuse_to_overwrite(const Scene& scene, const std::filesystem::path& direct
                         scene.file, directory.string()));
 }
 
+/// How much of each output belongs to a checkpoint; what is behind it is written anew.
+struct OutputState {
+    std::uint64_t probe_bytes = 0;    ///< of probes.csv
+    std::vector<double> frame_times;  ///< [s]
+
+    /// visit(name, member) for each member.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("probe_bytes", probe_bytes), visit("frame_times", frame_times);
+    }
+};
+
 template <int Dim>
 class Run {
   public:
@@ -60,12 +77,18 @@ class Run {
           cpu_start_(process_cpu_seconds()),
           simulation_(scene),
           frame_times_(scene.output.frame_interval),
-          probe_times_(scene.output.probe_interval) {
+          probe_times_(scene.output.probe_interval),
+          checkpoint_times_(scene.output) {
         record_.end_time = options.until.value_or(scene.output.end);
         record_.threads = omp_get_max_threads();
         record_.initial_energy = simulation_.energy();
-        open_files(Probes<Dim>(simulation_));
-        record_.setup_seconds = seconds_since(start_);
+        Probes<Dim> probes(simulation_);
+        if (options.resume_from.empty())
+            start_files(std::move(probes));
+        else
+            resume(options.resume_from, std::move(probes));
+        record_.setup_seconds += seconds_since(start_);
+        update_summary();
     }
 
     RunStatus execute() {
@@ -83,13 +106,40 @@ class Run {
 
   private:
     /// The probes come first: one that has nothing to measure is refused before a folder is made.
-    void open_files(Probes<Dim> probes) {
+    void start_files(Probes<Dim> probes) {
         make_folder(directory_);
         write_atomically(directory_ / "scene.toml", simulation_.scene().source);
         record_.probe_columns = probes.columns();
+        checkpoints_.emplace(directory_);
         probes_.emplace(directory_, std::move(probes));
         if (simulation_.scene().output.frame_interval > 0) frames_.emplace(directory_);
-        update_summary();
+    }
+
+    /// The state comes first: a checkpoint that does not fit is refused before results are cut back to it.
+    void resume(const std::filesystem::path& checkpoint, Probes<Dim> probes) {
+        OutputState written;
+        restore(open_checkpoint(checkpoint), written);
+        record_.probe_columns = probes.columns();
+        checkpoints_.emplace(directory_, checkpoint);
+        probes_.emplace(directory_, std::move(probes), written.probe_bytes);
+        if (simulation_.scene().output.frame_interval > 0) frames_.emplace(directory_, written.frame_times);
+        write_atomically(directory_ / "scene.toml", simulation_.scene().source);
+    }
+
+    void restore(const StateReader& reader, OutputState& written) {
+        simulation_.restore(reader.group("simulation"));
+        visit_run(reader, written);
+        record_.resumed_at.push_back(simulation_.work().steps);
+        wall_before_ = record_.wall_seconds;
+        cpu_before_ = record_.cpu_seconds;
+    }
+
+    template <class Visit>
+    void visit_run(Visit&& visit, OutputState& written) {
+        visit("output", written), visit("record", record_);
+        visit("frame_schedule", frame_times_), visit("probe_schedule", probe_times_);
+        visit("checkpoint_schedule", checkpoint_times_);
+        visit("probe_written", probe_written_), visit("frame_written", frame_written_);
     }
 
     bool at_end() const { return simulation_.time() >= record_.end_time - simulation_.time_step() / 2; }
@@ -97,7 +147,10 @@ class Run {
     void advance() {
         const StopRequest stop;
         check_state(simulation_);
-        write_due();
+        if (record_.resumed_at.empty()) {
+            write_due();
+            checkpoint_times_.due(0, simulation_.time_step());  // the scene itself is as good as the first one
+        }
         while (!at_end() && !stop.received()) {
             {
                 const Stopwatch watch(record_.step_seconds);
@@ -105,9 +158,12 @@ class Run {
             }
             if (simulation_.work().steps % steps_per_check == 0) check_state(simulation_);
             write_due();
+            if (checkpoint_times_.due(simulation_.time(), simulation_.time_step())) write_checkpoint();
             progress_.update(progress_state());
         }
         record_.state = at_end() ? RunState::done : RunState::interrupted;
+        // Before the last state is written out, which in a run that goes on is not due.
+        if (!at_end() && simulation_.scene().output.has_checkpoints()) write_checkpoint();
     }
 
     /// The last state is always written, due or not.
@@ -146,10 +202,44 @@ class Run {
         frame_written_ = simulation_.time();
     }
 
+    /// What is counted as written must be on the disk first.
+    void write_checkpoint() {
+        check_state(simulation_);
+        const double before = record_.checkpoint_seconds;
+        {
+            const Stopwatch watch(record_.checkpoint_seconds);
+            probes_->sync();
+            if (frames_) frames_->sync();
+            note_time();
+            ++record_.checkpoints;
+            checkpoints_->write(simulation_.work().steps, [this](const StateWriter& writer) { save(writer); });
+        }
+        checkpoint_times_.was_written(record_.checkpoint_seconds - before);
+    }
+
+    void save(const StateWriter& writer) {
+        const Scene& scene = simulation_.scene();
+        CheckpointLabel label{std::string(program_version()),
+                              std::string(name_of(active_isa())),
+                              scene.file,
+                              scene.source,
+                              record_.end_time,
+                              simulation_.time(),
+                              simulation_.work().steps};
+        writer("label", label);
+        simulation_.save(writer.group("simulation"));
+        OutputState written{probes_->size(), frames_ ? frames_->times() : std::vector<double>{}};
+        visit_run(writer, written);
+    }
+
+    void note_time() {
+        record_.wall_seconds = wall_before_ + seconds_since(start_);
+        record_.cpu_seconds = cpu_before_ + process_cpu_seconds() - cpu_start_;
+    }
+
     void update_summary() {
         const Stopwatch watch(record_.output_seconds);
-        record_.wall_seconds = seconds_since(start_);
-        record_.cpu_seconds = process_cpu_seconds() - cpu_start_;
+        note_time();
         record_.probe_values = probes_->sample(simulation_);
         write_summary(directory_, simulation_, record_);
     }
@@ -178,7 +268,8 @@ class Run {
 
     ProgressState progress_state() const {
         const WorkCount work = simulation_.work();
-        return {simulation_.time(), record_.end_time, record_.step_seconds + record_.output_seconds,
+        return {simulation_.time(), record_.end_time,
+                record_.step_seconds + record_.output_seconds + record_.checkpoint_seconds,
                 static_cast<double>(work.steps), static_cast<double>(work.particle_steps)};
     }
 
@@ -189,15 +280,18 @@ class Run {
     RunRecord record_;
     Progress progress_;
     Schedule frame_times_, probe_times_;
+    CheckpointTimes checkpoint_times_;
+    std::optional<CheckpointStore> checkpoints_;
     std::optional<ProbeWriter<Dim>> probes_;
     std::optional<FrameWriter<Dim>> frames_;
     double probe_written_ = -1, frame_written_ = -1;  ///< simulated time of the last one [s]
+    double wall_before_ = 0, cpu_before_ = 0;         ///< of the run up to the checkpoint that it goes on from [s]
 };
 
 }  // namespace
 
 RunStatus run(const Scene& scene, const RunOptions& options) {
-    refuse_to_overwrite(scene, options.directory);
+    if (options.resume_from.empty()) refuse_to_overwrite(scene, options.directory);
     if (options.threads > 0) omp_set_num_threads(options.threads);
     if (scene.dimension == 2) return Run<2>(scene, options).execute();
     return Run<3>(scene, options).execute();

@@ -11,9 +11,10 @@
 namespace sluice {
 
 struct RunOptions {
-    std::filesystem::path directory;  ///< for the results; made if need be
-    int threads = 0;                  ///< 0 = as many as OpenMP offers
-    std::optional<double> until;      ///< simulated time to run to [s], in place of the scene's
+    std::filesystem::path directory;      ///< for the results; made if need be
+    int threads = 0;                      ///< 0 = as many as OpenMP offers
+    std::optional<double> until;          ///< simulated time to run to [s], in place of the scene's
+    std::filesystem::path resume_from{};  ///< a checkpoint in the directory to go on from; empty = start anew
 };
 
 struct RunStatus {
@@ -24,6 +25,9 @@ struct RunStatus {
 
 /// Runs a scene and writes scene.toml, frames/, probes.csv and summary.json into the directory. A numerical failure is
 /// a status; whatever was written before it stays readable. Throws SceneError before anything is written, OutputError.
+///
+/// Resumed from a checkpoint, results are those of a run that was never stopped: what was written after the checkpoint
+/// is cut back. Throws CheckpointError, before anything is cut, if the checkpoint is not of this scene.
 RunStatus run(const Scene& scene, const RunOptions& options);
 
 }  // namespace sluice

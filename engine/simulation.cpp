@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/checkpoint/state_visitors.hpp"
 #include "engine/errors.hpp"
 #include "engine/state/visit.hpp"
 #include "engine/step/balances.hpp"
@@ -119,6 +120,25 @@ struct Simulation<Dim>::Impl {
         } catch (const std::length_error& error) {
             throw NumericalError(error.what());
         }
+    }
+
+    /// visit(name, member) for what changes during a run. Everything else follows from the scene.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("time", time), visit("steps", steps), visit("solid_steps", solid_steps);
+        visit("pairs", context.pairs), visit("plan", context.plan), visit("timer", context.timer);
+        visit("planner", planner), visit("gravity", state.gravity.c);
+        PhaseColumns<FluidPhase<Dim>> fluid_columns{state.fluid};
+        PhaseColumns<SolidPhase<Dim>> solid_columns{state.solid};
+        PhaseColumns<WallPhase<Dim>> wall_columns{state.wall};
+        PhaseColumns<InterfaceElements<Dim>> element_columns{state.elements};
+        PhaseColumns<BoundaryParticles<Dim>> boundary_columns{state.boundary};
+        visit("fluid", fluid_columns), visit("solid", solid_columns), visit("wall", wall_columns);
+        visit("elements", element_columns), visit("boundary", boundary_columns);
+        visit("neighbors", neighbors);
+        visit("fluid_part", fluid), visit("shifting", shifting), visit("walls", walls);
+        visit("contact", contact), visit("hypoelastic", hypoelastic);
+        visit("interface_coupling", interface), visit("boundary_coupling", boundary);
     }
 
     PairMethod<Dim> pair_method() const {
@@ -266,6 +286,15 @@ std::size_t Simulation<Dim>::memory_bytes() const {
 template <int Dim>
 const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {
     return impl_->neighbors.solid_index_of_id();
+}
+
+template <int Dim>
+void Simulation<Dim>::save(const StateWriter& writer) const {
+    impl_->visit_state(writer);
+}
+template <int Dim>
+void Simulation<Dim>::restore(const StateReader& reader) {
+    impl_->visit_state(reader);
 }
 
 template class Simulation<2>;

@@ -25,6 +25,9 @@ struct WorkCount {
     std::uint64_t neighbour_builds = 0;
 };
 
+class StateReader;
+class StateWriter;
+
 template <int Dim>
 class Simulation {
   public:
@@ -61,6 +64,12 @@ class Simulation {
     double max_mach() const;                            ///< highest |v|/c0 of the fluid so far
     double max_speed() const;                           ///< highest |v| of the fluid so far [m/s]
     std::size_t memory_bytes() const;                   ///< particle fields and neighbour lists
+
+    /// Everything that changes during a run. A simulation of the same scene that has restored it takes the same steps,
+    /// to the bit, with any number of threads.
+    void save(const StateWriter& writer) const;
+    /// Throws CheckpointError for the state of another scene; this simulation is of no use then.
+    void restore(const StateReader& reader);
 
     /// Index in solid() of the particle with this id.
     const std::vector<Index>& solid_index_of_id() const;

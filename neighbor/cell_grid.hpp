@@ -52,6 +52,14 @@ class CellGrid {
 
     std::size_t bytes() const;
 
+    /// visit(name, member) for each member: a copy of them all is the same grid.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("cell_size", cell_size_), visit("max_reach", max_reach_), visit("origin", origin_.c);
+        visit("extent", extent_), visit("key_bits", key_bits_), visit("order", order_), visit("cells", cells_);
+        visit("cell_key", cell_key_), visit("table", table_);
+    }
+
   private:
     void compute_keys(const VectorField<Dim>& position, std::size_t first, std::size_t last,
                       Array<std::uint64_t>& keys);

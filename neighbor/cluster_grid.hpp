@@ -69,6 +69,14 @@ class ClusterGrid {
 
     std::size_t bytes() const;
 
+    /// visit(name, member) for each member: a copy of them all is the same grid.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("cells", cells_), visit("cell_block", cell_block_), visit("cell_cluster", cell_cluster_);
+        visit("block", block_), visit("cluster_start", cluster_start_), visit("cluster_extent", cluster_extent_);
+        visit("block_extent", block_extent_);
+    }
+
   private:
     void cut_cell(const VectorField<Dim>& position, std::size_t cell);
     void measure(const VectorField<Dim>& position, std::span<const double> reach);

@@ -90,6 +90,15 @@ class NeighborList {
     std::size_t bytes() const;
     void clear();
 
+    /// visit(name, member) for each member: a copy of them all is the same list.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("block", block_), visit("part", part_), visit("query", query_), visit("candidate", candidate_);
+        visit("row", row_), visit("listed", listed_), visit("near", near_), visit("equal_reach", equal_reach_);
+        visit("query_index", query_index_), visit("candidate_index", candidate_index_), visit("work", work_);
+        visit("size", size_), visit("pairs", pairs_), visit("counted", counted_);
+    }
+
     /// Leaves out the query clusters that hold no particle of those `wanted` (by index). The others' rows, and so the
     /// sums over them, stay what they are, to the bit. Prune before use.
     void keep_queries(std::span<const std::uint8_t> wanted);

@@ -14,7 +14,9 @@
 
 namespace sluice {
 
-void print_error(std::string_view message) { std::fputs(fmt::format("sluice: error: {}\n", message).c_str(), stderr); }
+void print_error(std::string_view message) { print_note(fmt::format("error: {}", message)); }
+void print_warning(std::string_view message) { print_note(fmt::format("warning: {}", message)); }
+void print_note(std::string_view message) { std::fputs(fmt::format("sluice: {}\n", message).c_str(), stderr); }
 
 void print(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
@@ -25,6 +27,9 @@ ExitCode guarded(const std::function<ExitCode()>& deed) {
     try {
         return deed();
     } catch (const SceneError& error) {
+        print_error(error.what());
+        return ExitCode::bad_input;
+    } catch (const CheckpointError& error) {
         print_error(error.what());
         return ExitCode::bad_input;
     } catch (const NumericalError& error) {

@@ -16,6 +16,9 @@ enum class ExitCode {
 
 /// `sluice: error: …` on stderr.
 void print_error(std::string_view message);
+/// `sluice: warning: …` and `sluice: …` on stderr.
+void print_warning(std::string_view message);
+void print_note(std::string_view message);
 
 /// Writes to stdout. Throws OutputError if that fails: a report to a full disk must not pass as success.
 void print(std::string_view text);

@@ -14,11 +14,14 @@ constexpr const char* examples = R"(Examples:
   sluice run dam.toml -o results/fine --set method.spacing=0.001 --threads 2
   sluice help effects particle_shifting
   sluice run dam.toml --until 0.1
+  sluice run --resume results/dam
   sluice study dam.toml --vary method.spacing=x2,x1,x0.5 --vary method.precision=mixed,double
   sluice check dam.toml --target-error 3%
 
 A run writes into its folder: scene.toml (what was run), probes.csv, summary.json, and frames/, of which
-ParaView opens frames.hdf.series. A study writes study.html, study.svg, study.csv and study.json.
+ParaView opens frames.hdf.series. Every ten minutes, and when it is stopped by Ctrl-C or `kill`, it writes
+a checkpoint into checkpoints/; with --resume it goes on from there, to the same results as if it had never
+been stopped. A study writes study.html, study.svg, study.csv and study.json.
 
 Exit codes: 0 done, 1 numerical failure, 2 bad input, 3 output failed, 130 interrupted.)";
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -27,6 +28,7 @@ class Descriptor {
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int get() const { return file_; }
+    int release() { return std::exchange(file_, -1); }
     /// The answer of close(2): network file systems report a full disk only there.
     int close() { return ::close(std::exchange(file_, -1)); }
 
@@ -79,12 +81,34 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
     }
 }
 
+void sync_folder(const std::filesystem::path& folder) {
+    Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (file.get() < 0) fail(folder, "open the folder", errno);
+    if (::fsync(file.get()) != 0 && errno != EINVAL) fail(folder, "write the folder", errno);
+}
+
 LineFile::LineFile(std::filesystem::path path) : path_(std::move(path)) {
     file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
     if (file_ < 0) fail(path_, "create", errno);
 }
 
+LineFile::LineFile(std::filesystem::path path, std::uint64_t size)
+    : path_(std::move(path)), size_(static_cast<long long>(size)) {
+    Descriptor file(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (file.get() < 0) fail(path_, "open", errno);
+    const long long found = ::lseek(file.get(), 0, SEEK_END);
+    if (found < size_)
+        throw OutputError(fmt::format("{}: cannot go on after its first {} bytes: found only {}", path_.string(), size_,
+                                      std::max(found, 0LL)));
+    if (::ftruncate(file.get(), size_) != 0) fail(path_, "cut", errno);
+    file_ = file.release();
+}
+
 LineFile::~LineFile() { ::close(file_); }
+
+void LineFile::sync() {
+    if (::fsync(file_) != 0 && errno != EINVAL) fail(path_, "write", errno);
+}
 
 void LineFile::append(std::string line) {
     line += '\n';

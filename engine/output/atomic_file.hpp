@@ -1,6 +1,7 @@
 // Files that are either wholly there or not at all, and lines that are never torn.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -14,17 +15,28 @@ void make_folder(const std::filesystem::path& folder);
 /// full disk or a crash leaves the old one. Throws OutputError.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Makes the disk keep the names in a folder: after a power failure a file that was renamed is there. Throws
+/// OutputError.
+void sync_folder(const std::filesystem::path& folder);
+
 /// A text file that grows by whole lines. Each line is one write(2); a line that does not fit is taken back.
 class LineFile {
   public:
     /// Starts an empty file. Throws OutputError.
     explicit LineFile(std::filesystem::path path);
+    /// Goes on with a file after its first `size` bytes; what is behind them is cut off. Throws OutputError if there
+    /// are fewer.
+    LineFile(std::filesystem::path path, std::uint64_t size);
     ~LineFile();
     LineFile(const LineFile&) = delete;
     LineFile& operator=(const LineFile&) = delete;
 
     /// Adds a line; the end of line is added here. Throws OutputError.
     void append(std::string line);
+    /// Makes the disk take what was written. Throws OutputError.
+    void sync();
+    /// Of the whole lines. [bytes]
+    std::uint64_t size() const { return static_cast<std::uint64_t>(size_); }
 
   private:
     std::filesystem::path path_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -57,11 +58,17 @@ bool is_frame(const std::filesystem::path& file) {
     return name.starts_with("frame_") && (name.ends_with(".hdf") || name.ends_with(".hdf.part"));
 }
 
-void remove_old_frames(const std::filesystem::path& folder) {
+std::string frame_name(std::size_t number) { return fmt::format("frame_{:04}.hdf", number); }
+
+/// The series goes first: while frames are missing, no list should name them.
+void remove_frames(const std::filesystem::path& folder, const std::vector<std::string>& kept) {
     std::error_code error;
     std::vector<std::filesystem::path> old;
+    if (std::filesystem::exists(folder / series_name, error)) old.push_back(folder / series_name);
     for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error))
-        if (is_frame(file->path()) || file->path().filename() == series_name) old.push_back(file->path());
+        if (is_frame(file->path()) &&
+            std::find(kept.begin(), kept.end(), file->path().filename().string()) == kept.end())
+            old.push_back(file->path());
     for (const auto& file : old)
         if (!error) std::filesystem::remove(file, error);
     if (error) throw OutputError(fmt::format("{}: cannot remove old frames: {}", folder.string(), error.message()));
@@ -88,12 +95,37 @@ void write_frame(const std::filesystem::path& file, const FrameTable& table, con
 template <int Dim>
 FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory) : folder_(directory / "frames") {
     make_folder(folder_);
-    remove_old_frames(folder_);
+    remove_frames(folder_, {});
+}
+
+template <int Dim>
+FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory, const std::vector<double>& times)
+    : folder_(directory / "frames") {
+    make_folder(folder_);
+    std::vector<std::string> kept;
+    for (const double time : times) {
+        kept.push_back(frame_name(frames_.size()));
+        frames_.push_back({kept.back(), time});
+    }
+    remove_frames(folder_, kept);
+    write_series();
+}
+
+template <int Dim>
+std::vector<double> FrameWriter<Dim>::times() const {
+    std::vector<double> times;
+    for (const Frame& frame : frames_) times.push_back(frame.time);
+    return times;
+}
+
+template <int Dim>
+void FrameWriter<Dim>::sync() const {
+    sync_folder(folder_);
 }
 
 template <int Dim>
 void FrameWriter<Dim>::write(const Simulation<Dim>& simulation) {
-    const Frame frame{fmt::format("frame_{:04}.hdf", frames_.size()), simulation.time()};
+    const Frame frame{frame_name(frames_.size()), simulation.time()};
     write_frame(folder_ / frame.name,
                 frame_table(simulation.fluid(), simulation.solid(), simulation.wall(), simulation.elastic_law()),
                 {frame.time, simulation.work().steps, simulation.scene().title});

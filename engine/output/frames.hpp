@@ -28,11 +28,16 @@ class FrameWriter {
   public:
     /// Makes the folder and removes the frames of an earlier run, which would mix with ours. Throws OutputError.
     explicit FrameWriter(const std::filesystem::path& directory);
+    /// Goes on after the frames of these times [s]; later ones are removed. Throws OutputError.
+    FrameWriter(const std::filesystem::path& directory, const std::vector<double>& times);
 
     /// Throws OutputError.
     void write(const Simulation<Dim>& simulation);
 
     std::size_t count() const { return frames_.size(); }
+    std::vector<double> times() const;  ///< [s]
+    /// Makes the disk keep what was written. Throws OutputError.
+    void sync() const;
 
   private:
     struct Frame {

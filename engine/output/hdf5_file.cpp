@@ -48,12 +48,13 @@ Hdf5Handle dataset_properties(int rank, const std::array<hsize_t, 2>& size) {
     return list;
 }
 
-hid_t create_in_memory() {
+hid_t create_in_memory(std::size_t user_block) {
     silence();
     const Hdf5Handle access = properties(H5P_FILE_ACCESS);
     check(H5Pset_fapl_core(access.get(), growth, false), "keep a file in memory");
     const Hdf5Handle creation = properties(H5P_FILE_CREATE);
     check(H5Pset_obj_track_times(creation.get(), false), "switch times off");
+    if (user_block > 0) check(H5Pset_userblock(creation.get(), user_block), "leave room in front");
     check(H5Pset_istore_k(creation.get(), index_fanout), "size the chunk index");
     // The name only tells open files apart; nothing of that name is touched. Two may be open at once.
     static unsigned count = 0;
@@ -84,6 +85,18 @@ hid_t hdf5_type<std::uint32_t>() {
     return H5T_NATIVE_UINT32;
 }
 template <>
+hid_t hdf5_type<std::int32_t>() {
+    return H5T_NATIVE_INT32;
+}
+template <>
+hid_t hdf5_type<char>() {
+    return H5T_NATIVE_CHAR;
+}
+template <>
+hid_t hdf5_type<bool>() {
+    return H5T_NATIVE_HBOOL;
+}
+template <>
 hid_t hdf5_type<std::int64_t>() {
     return H5T_NATIVE_INT64;
 }
@@ -91,6 +104,9 @@ template <>
 hid_t hdf5_type<std::uint64_t>() {
     return H5T_NATIVE_UINT64;
 }
+
+Hdf5Handle copied_type(hid_t number) { return {H5Tcopy(number), H5Tclose, "copy a type"}; }
+Hdf5Handle opaque_type(std::size_t bytes) { return {H5Tcreate(H5T_OPAQUE, bytes), H5Tclose, "make a type"}; }
 
 Hdf5Handle::Hdf5Handle(hid_t id, Close close, std::string_view what) : id_(id), close_(close) {
     if (id < 0) throw OutputError(fmt::format("HDF5: cannot {}", what));
@@ -115,6 +131,17 @@ void Hdf5Group::write_dataset(const std::string& name, Values values, std::size_
     check(H5Dwrite(set.get(), values.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data), "fill the dataset " + name);
 }
 
+void Hdf5Group::write_plain(const std::string& name, Values values) const {
+    const hsize_t count = values.count;
+    const Hdf5Handle space = simple_space(1, &count);
+    const Hdf5Handle list = properties(H5P_DATASET_CREATE);
+    check(H5Pset_obj_track_times(list.get(), false), "switch times off");
+    const Hdf5Handle set(
+        H5Dcreate2(handle_.get(), name.c_str(), values.type, space.get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
+        H5Dclose, "make the dataset " + name);
+    check(H5Dwrite(set.get(), values.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data), "fill the dataset " + name);
+}
+
 void Hdf5Group::attribute(const std::string& name, std::string_view text) const {
     const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make a string type");
     // A string type needs at least one byte, also for an empty text.
@@ -136,7 +163,8 @@ void Hdf5Group::write_attribute(const std::string& name, Values values) const {
     check(H5Awrite(attribute.get(), values.type, values.data), "fill the attribute " + name);
 }
 
-Hdf5File::Hdf5File() : file_(create_in_memory(), H5Fclose, "make a file in memory") {}
+Hdf5File::Hdf5File(std::size_t user_block)
+    : file_(create_in_memory(user_block), H5Fclose, "make a file in memory"), user_block_(user_block) {}
 
 Hdf5Group Hdf5File::root() const {
     return Hdf5Group({H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "open the root group"});
@@ -150,6 +178,18 @@ std::string Hdf5File::bytes() const {
     if (H5Fget_file_image(file_.get(), bytes.data(), bytes.size()) != size)
         throw OutputError("HDF5: cannot copy a finished file");
     return bytes;
+}
+
+std::span<char> Hdf5File::image() {
+    check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "finish a file");
+    void* memory = nullptr;  // where the driver keeps its pointer to the bytes
+    check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &memory), "find a finished file");
+    const ssize_t behind = H5Fget_file_image(file_.get(), nullptr, 0);  // the user block does not count
+    const auto size = static_cast<std::size_t>(behind) + user_block_;
+    hsize_t allocated = 0;
+    check(H5Fget_filesize(file_.get(), &allocated), "size a finished file");
+    if (behind < 0 || allocated < size) throw OutputError("HDF5: cannot finish a file");
+    return {*static_cast<char**>(memory), size};
 }
 
 }  // namespace sluice

@@ -35,6 +35,18 @@ class Hdf5Handle {
 template <class T>
 hid_t hdf5_type();
 
+/// The type of a value as the memory has it: a number type, else an opaque one of the value's size. Throws OutputError.
+Hdf5Handle copied_type(hid_t number);
+Hdf5Handle opaque_type(std::size_t bytes);
+template <class T>
+Hdf5Handle memory_type() {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if constexpr (std::is_arithmetic_v<T>)
+        return copied_type(hdf5_type<T>());
+    else
+        return opaque_type(sizeof(T));
+}
+
 /// A group: takes attributes, datasets and further groups.
 class Hdf5Group {
   public:
@@ -46,6 +58,12 @@ class Hdf5Group {
     template <class T>
     void dataset(const std::string& name, std::span<const T> values, std::size_t columns = 1) const {
         write_dataset(name, {hdf5_type<T>(), values.data(), values.size()}, columns);
+    }
+    /// As the memory has it: in one piece, not compressed. Values that are no numbers keep their bytes.
+    template <class T>
+    void plain_dataset(const std::string& name, std::span<const T> values) const {
+        const Hdf5Handle type = memory_type<T>();
+        write_plain(name, {type.get(), values.data(), values.size()});
     }
     /// A string of fixed length, ASCII if it can be: the only kind that VTK accepts.
     void attribute(const std::string& name, std::string_view text) const;
@@ -67,6 +85,7 @@ class Hdf5Group {
         std::size_t count;  ///< 0: one number without a dimension
     };
     void write_dataset(const std::string& name, Values values, std::size_t columns) const;
+    void write_plain(const std::string& name, Values values) const;
     void write_attribute(const std::string& name, Values values) const;
 
     Hdf5Handle handle_;
@@ -75,13 +94,17 @@ class Hdf5Group {
 /// A file under construction. Equal content gives equal bytes: no times are stored.
 class Hdf5File {
   public:
-    Hdf5File();
+    /// user_block: bytes in front that are left to the caller; 0, or a power of two from 512.
+    explicit Hdf5File(std::size_t user_block = 0);
     Hdf5Group root() const;
     /// The file's content so far; groups should be closed by then.
     std::string bytes() const;
+    /// The same in place, with the user block in front, which may be written to. Valid until the file changes or goes.
+    std::span<char> image();
 
   private:
     Hdf5Handle file_;
+    std::size_t user_block_;
 };
 
 }  // namespace sluice

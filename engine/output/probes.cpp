@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <stdexcept>
 #include <utility>
+
+#include "engine/errors.hpp"
 
 namespace sluice {
 namespace {
@@ -54,9 +57,25 @@ std::vector<double> Probes<Dim>::sample(const Simulation<Dim>& simulation) const
 template <int Dim>
 ProbeWriter<Dim>::ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes)
     : probes_(std::move(probes)), file_(directory / "probes.csv") {
-    std::string heading = "t [s]";
-    for (const std::string& column : columns()) heading += "," + column;  // names hold neither commas nor quotes
-    file_.append(std::move(heading));
+    file_.append(heading());
+}
+
+template <int Dim>
+ProbeWriter<Dim>::ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, std::uint64_t size)
+    : probes_(std::move(probes)), file_(directory / "probes.csv", size) {
+    std::ifstream table(directory / "probes.csv");
+    std::string found;
+    std::getline(table, found);
+    if (found != heading())
+        throw OutputError(fmt::format("{}: cannot go on: found other columns than the scene's probes have",
+                                      (directory / "probes.csv").string()));
+}
+
+template <int Dim>
+std::string ProbeWriter<Dim>::heading() const {
+    std::string text = "t [s]";
+    for (const std::string& column : columns()) text += "," + column;  // names hold neither commas nor quotes
+    return text;
 }
 
 template <int Dim>

@@ -33,13 +33,20 @@ class ProbeWriter {
   public:
     /// Throws OutputError.
     ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes);
+    /// Goes on with the table after its first `size` bytes. Throws OutputError if it has fewer.
+    ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, std::uint64_t size);
 
     std::vector<std::string> columns() const { return probes_.columns(); }
     std::vector<double> sample(const Simulation<Dim>& simulation) const { return probes_.sample(simulation); }
     /// Throws OutputError.
     void write(const Simulation<Dim>& simulation);
+    /// Makes the disk take what was written. Throws OutputError.
+    void sync() { file_.sync(); }
+    std::uint64_t size() const { return file_.size(); }  ///< of the table [bytes]
 
   private:
+    std::string heading() const;
+
     Probes<Dim> probes_;
     LineFile file_;
 };

@@ -40,7 +40,7 @@ std::size_t peak_memory_bytes() {
 
 std::vector<double> seconds_per_phase(const PhaseTimer& timer, const RunRecord& record) {
     std::vector<double> seconds(timer.seconds().begin(), timer.seconds().end());
-    seconds[static_cast<std::size_t>(StepPhase::output)] += record.output_seconds;
+    seconds[static_cast<std::size_t>(StepPhase::output)] += record.output_seconds + record.checkpoint_seconds;
     return seconds;
 }
 

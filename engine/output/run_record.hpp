@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,14 +25,26 @@ struct RunRecord {
     std::string message;  ///< why it failed
     double end_time = 0;  ///< simulated time to run to [s]
     int threads = 1;
-    double wall_seconds = 0;    ///< since the start, placing of particles and output included
-    double cpu_seconds = 0;     ///< likewise, all threads
-    double setup_seconds = 0;   ///< wall time of placing particles and opening files
-    double step_seconds = 0;    ///< wall time in time steps alone; rates refer to it
-    double output_seconds = 0;  ///< wall time in frames, probes and summaries
+    double wall_seconds = 0;                ///< since the start, placing of particles and output included
+    double cpu_seconds = 0;                 ///< likewise, all threads
+    double setup_seconds = 0;               ///< wall time of placing particles and opening files
+    double step_seconds = 0;                ///< wall time in time steps alone; rates refer to it
+    double output_seconds = 0;              ///< wall time in frames, probes and summaries
+    double checkpoint_seconds = 0;          ///< wall time in writing checkpoints; not part of the output's
+    std::uint64_t checkpoints = 0;          ///< written
+    std::vector<std::uint64_t> resumed_at;  ///< steps after which the run was gone on with
     EnergyBalance initial_energy;
     std::vector<std::string> probe_columns;
     std::vector<double> probe_values;  ///< latest
+
+    /// visit(name, member) for what a run that goes on adds up further.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("wall_seconds", wall_seconds), visit("cpu_seconds", cpu_seconds), visit("setup_seconds", setup_seconds);
+        visit("step_seconds", step_seconds), visit("output_seconds", output_seconds);
+        visit("checkpoint_seconds", checkpoint_seconds), visit("checkpoints", checkpoints);
+        visit("resumed_at", resumed_at);
+    }
 
     /// `count` per second of stepping; 0 before the first step.
     double rate(double count) const { return step_seconds > 0 ? count / step_seconds : 0.0; }

@@ -48,6 +48,8 @@ void add_cost(Json& json, const Simulation<Dim>& simulation, const RunRecord& re
     json["cpu_seconds"] = record.cpu_seconds;
     json["setup_seconds"] = record.setup_seconds;
     json["step_seconds"] = record.step_seconds;
+    json["checkpoints"] = {{"written", record.checkpoints}, {"seconds", record.checkpoint_seconds}};
+    json["resumed_at_steps"] = record.resumed_at;
     const std::vector<double> seconds = seconds_per_phase(simulation.timer(), record);
     Json& phases = json["seconds_per_phase"];
     for (std::size_t k = 0; k < seconds.size(); ++k) phases[std::string(step_phase_names[k])] = seconds[k];

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine/scene/canonical_text.hpp"
 #include "engine/scene/formula.hpp"
 #include "engine/scene/overrides.hpp"
 #include "engine/scene/reader_parts.hpp"
@@ -35,14 +36,6 @@ toml::table parse(const std::string& text, const std::string& path) {
     }
 }
 
-/// Without the references, whose tables stand beside this file and not where the text goes.
-std::string canonical_text(toml::table table) {
-    table.erase("reference");
-    std::ostringstream text;
-    text << toml::toml_formatter(table) << '\n';
-    return text.str();
-}
-
 void read_constants(TomlTable& root) {
     const TomlValue value = root.get("constants");
     if (!value) return;
@@ -69,6 +62,8 @@ void read_output(TomlTable& root) {
     output.end = table.get("end").number(positive);
     if (const auto v = table.get("frame_interval")) output.frame_interval = v.number(not_negative);
     if (const auto v = table.get("probe_interval")) output.probe_interval = v.number(not_negative);
+    if (const auto v = table.get("checkpoint_interval")) output.checkpoint_interval = v.number(not_negative);
+    if (const auto v = table.get("checkpoint_minutes")) output.checkpoint_minutes = v.number(not_negative);
     table.finish();
 }
 

@@ -132,9 +132,14 @@ struct Method {
 enum class Switch { automatic, on, off };
 
 struct OutputTimes {
-    double end = 0;             ///< simulated time to run to [s]
-    double frame_interval = 0;  ///< [s]; 0 = no frames
-    double probe_interval = 0;  ///< [s]
+    double end = 0;                  ///< simulated time to run to [s]
+    double frame_interval = 0;       ///< [s]; 0 = no frames
+    double probe_interval = 0;       ///< [s]
+    double checkpoint_interval = 0;  ///< of simulated time [s]; 0 = none
+    /// Of wall time [min]; 0 = none. Few enough to cost nothing; what a crash may take is not worth more.
+    double checkpoint_minutes = 10;
+
+    bool has_checkpoints() const { return checkpoint_interval > 0 || checkpoint_minutes > 0; }
 };
 
 /// Where a key was found: line of the scene file; 0 = set on the command line. Keys left at their default are absent.

@@ -10,6 +10,20 @@
 
 namespace sluice {
 
+std::vector<std::string> keys_in_file_order(const toml::table& table) {
+    using Place = std::tuple<std::uint32_t, std::uint32_t, std::string>;
+    constexpr auto last = std::numeric_limits<std::uint32_t>::max();
+    std::vector<Place> places;
+    for (const auto& [key, node] : table) {
+        const auto& at = key.source().begin;
+        places.emplace_back(at.line == 0 ? last : at.line, at.column, std::string(key.str()));
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<std::string> names;
+    for (const Place& place : places) names.push_back(std::get<2>(place));
+    return names;
+}
+
 TomlTable::TomlTable(const toml::table& root, Scene& scene) : table_(&root), scene_(&scene) {}
 
 TomlTable::TomlTable(const TomlValue& value) : path_(value.path()), scene_(&value.scene()) {
@@ -25,19 +39,7 @@ TomlValue TomlTable::get(const std::string& key) {
     return {nullptr, path_of(key), *scene_, misspelt};
 }
 
-std::vector<std::string> TomlTable::keys() const {
-    using Place = std::tuple<std::uint32_t, std::uint32_t, std::string>;
-    constexpr auto last = std::numeric_limits<std::uint32_t>::max();
-    std::vector<Place> places;
-    for (const auto& [key, node] : *table_) {
-        const auto& at = key.source().begin;
-        places.emplace_back(at.line == 0 ? last : at.line, at.column, std::string(key.str()));
-    }
-    std::sort(places.begin(), places.end());
-    std::vector<std::string> names;
-    for (const Place& place : places) names.push_back(std::get<2>(place));
-    return names;
-}
+std::vector<std::string> TomlTable::keys() const { return keys_in_file_order(*table_); }
 
 void TomlTable::finish() const {
     for (const std::string& key : keys()) {

@@ -8,6 +8,9 @@
 
 namespace sluice {
 
+/// A table's keys in the order of the file; those added by the command line last.
+std::vector<std::string> keys_in_file_order(const toml::table& table);
+
 class TomlTable {
   public:
     /// The file's top level.

@@ -68,6 +68,12 @@ class Images {
     void refresh_directions(VectorField<Dim>& field, std::size_t owned) const {
         reflect(field, owned, [](const ImagePlane<Dim>& p, const Vec<Dim>& v) { return p.image_direction(v); });
     }
+    /// visit(name, member) for all that decides the images; the planes are given anew with the next ones.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("planes", planes_), visit("paths", paths_), visit("parent", parent_), visit("path", path_);
+    }
+
     std::size_t bytes() const { return parent_.capacity() * sizeof(Index) + path_.capacity() * sizeof(std::uint16_t); }
 
   private:

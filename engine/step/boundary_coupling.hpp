@@ -19,6 +19,12 @@ class BoundaryCoupling {
     void rates();
     const InterfaceBalance& balance() const { return balance_; }
 
+    /// visit(name, member) for what changes during a run and is not among the particles' columns.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("force", balance_.force), visit("residual", balance_.residual);
+    }
+
   private:
     /// Copies place, velocity and acceleration of the solid's particles.
     void follow(const VectorField<Dim>& position, const VectorField<Dim>& velocity);

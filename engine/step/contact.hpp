@@ -34,6 +34,12 @@ class SolidContact {
     std::uint64_t builds() const { return search_.builds(); }
     std::size_t bytes() const;
 
+    /// visit(name, member) for what changes during a run.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("search", search_);
+    }
+
   private:
     using Particles = ContactParticles<Dim>;
 

@@ -28,6 +28,14 @@ struct ContactParticles {
     /// Gives the results their size, at zero.
     void finish();
     std::size_t bytes() const;
+
+    /// visit(name, member) for each member.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("solid", solid), visit("body", body), visit("position", position.c), visit("volume", volume);
+        visit("smoothing_length", smoothing_length), visit("density", density), visit("pressure", pressure);
+        visit("force_density", force_density.c);
+    }
 };
 
 /// Keeps account of how far anything has moved, and looks again when something may have come near. Where nothing is
@@ -46,6 +54,15 @@ class ContactSearch {
     void update();
     std::uint64_t builds() const { return builds_; }
     std::size_t bytes() const;
+
+    /// visit(name, member) for what outlives a look.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("among_bodies", among_bodies), visit("at_walls", at_walls), visit("body_lists", body_lists);
+        visit("wall_list", wall_list), visit("at_planes", at_planes), visit("members", members_);
+        visit("moved", moved_), visit("room", room_), visit("builds", builds_);
+        visit("solid_layout", solid_layout_), visit("wall_layout", wall_layout_);
+    }
 
     ContactParticles<Dim> among_bodies, at_walls;
     std::vector<NeighborList> body_lists;  ///< each group's particles and those of the others, within among_bodies

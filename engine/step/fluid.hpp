@@ -29,6 +29,12 @@ class FluidPart {
     double speed() const { return speed_; }                ///< highest |v| of the last step [m/s]
     double acceleration() const { return acceleration_; }  ///< highest |a| of the last kick [m/s²]
 
+    /// visit(name, member) for what changes during a run and is not among the particles' columns.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("max_speed", max_speed_), visit("speed", speed_), visit("acceleration", acceleration_);
+    }
+
   private:
     StepContext<Dim>& c_;
     FluidTerms terms_;

@@ -16,6 +16,12 @@ class HypoelasticSolid {
     /// at n; rates of density and stress are taken half-way. Returns a bound of how far particles have moved. [m]
     double advance();
 
+    /// visit(name, member) for what changes during a run and is not among the particles' columns.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("last_dt", last_dt_);
+    }
+
   private:
     double dt() const { return c_.plan.dt / c_.plan.substeps; }
     void forces();

@@ -19,6 +19,12 @@ class InterfaceCoupling {
     void rates();
     const InterfaceBalance& balance() const { return balance_; }
 
+    /// visit(name, member) for what changes during a run and is not among the particles' columns.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("force", balance_.force), visit("residual", balance_.residual);
+    }
+
   private:
     /// Elements follow the solid: place and area from the boundary particles, velocity from the weights of its forces.
     void update_elements(const VectorField<Dim>& solid_position, const ParticleView<Dim>& solid);

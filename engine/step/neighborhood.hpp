@@ -56,6 +56,11 @@ class Neighborhood {
     std::uint64_t builds() const { return builds_; }
     std::size_t bytes() const;
 
+    /// visit(name, member) for lists, grids, images and how old they are. With all of it a run goes on to the same
+    /// bits: lists built anew elsewhere would add up pairs in another order.
+    template <class Visit>
+    void visit_state(Visit&& visit);
+
     // a_b: for each particle of a, its neighbours among b
     NeighborList fluid_fluid, fluid_wall, wall_fluid;
     NeighborList solid_solid;  ///< without those whose stress never changes
@@ -108,6 +113,27 @@ class Neighborhood {
     NeighborList moving_solid_;
     NeighborSearch<Dim> search_;
 };
+
+template <int Dim>
+template <class Visit>
+void Neighborhood<Dim>::visit_state(Visit&& visit) {
+    visit("fluid_skin", fluid_skin_), visit("solid_skin", solid_skin_), visit("coupling_skin", coupling_skin_);
+    visit("builds", builds_), visit("solid_layout", solid_layout_), visit("wall_layout", wall_layout_);
+    visit("solid_index_of_id", solid_index_of_id_);
+    visit("fluid_images", fluid_images_), visit("wall_images", wall_images_);
+    visit("element_images", element_images_), visit("boundary_images", boundary_images_);
+    visit("fluid_grid", fluid_grid_), visit("fluid_image_grid", fluid_image_grid_);
+    visit("wall_grid", wall_grid_), visit("wall_image_grid", wall_image_grid_), visit("solid_grid", solid_grid_);
+    visit("element_grid", element_grid_), visit("element_image_grid", element_image_grid_);
+    visit("boundary_grid", boundary_grid_), visit("boundary_image_grid", boundary_image_grid_);
+    visit("fluid_fluid", fluid_fluid), visit("fluid_wall", fluid_wall), visit("wall_fluid", wall_fluid);
+    visit("solid_solid", solid_solid), visit("moving_solid", moving_solid_);
+    visit("element_solid", element_solid), visit("solid_element", solid_element);
+    visit("element_fluid", element_fluid), visit("fluid_element", fluid_element);
+    visit("element_image", element_image), visit("image_element", image_element);
+    visit("fluid_boundary", fluid_boundary), visit("boundary_fluid", boundary_fluid);
+    visit("boundary_image", boundary_image), visit("image_boundary", image_boundary);
+}
 
 extern template class Neighborhood<2>;
 extern template class Neighborhood<3>;

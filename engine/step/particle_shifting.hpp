@@ -14,6 +14,12 @@ class ParticleShifting {
     /// longest displacement. [m]
     double shift(std::uint64_t step);
 
+    /// visit(name, member) for what changes during a run and is not among the particles' columns.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("last", last_), visit("next", next_);
+    }
+
   private:
     /// What surrounds each particle: sums over fluid, walls and solids.
     void look_around();

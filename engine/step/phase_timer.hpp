@@ -55,6 +55,12 @@ class PhaseTimer {
     Scope measure(StepPhase p) { return Scope(*this, p); }
     const std::array<double, step_phase_names.size()>& seconds() const { return seconds_; }
 
+    /// visit(name, member) for what changes during a run.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("seconds", seconds_);
+    }
+
   private:
     using Clock = std::chrono::steady_clock;
     std::array<double, step_phase_names.size()> seconds_{};

@@ -37,6 +37,13 @@ class SkinAccount {
         return pruned_skin_ = std::min(left, next() > 0 ? 2 * next() * steps : 0.05 * h_);
     }
 
+    /// visit(name, member) for what changes during a run.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("since_build", since_build_), visit("since_prune", since_prune_), visit("pruned_skin", pruned_skin_);
+        visit("last", last_);
+    }
+
   private:
     /// What the next step may bring: a little more than the last.
     double next() const { return 1.2 * last_; }

@@ -29,6 +29,12 @@ struct StepPlan {
     double dt = 0;                 ///< [s]
     int substeps = 1;              ///< of the solid
     double single_rate_steps = 1;  ///< how many steps of the single-rate scheme it takes the place of
+
+    /// visit(name, member) for each member.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("dt", dt), visit("substeps", substeps), visit("single_rate_steps", single_rate_steps);
+    }
 };
 
 /// Plans each step before it is taken.
@@ -50,6 +56,12 @@ class StepPlanner {
     StepPlan next(double speed, double acceleration);
     bool adaptive() const { return adaptive_; }
     const std::vector<CourantLimit>& limits() const { return limits_; }
+
+    /// visit(name, member) for what changes during a run.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("last", last_);
+    }
 
   private:
     std::vector<CourantLimit> limits_;

@@ -25,6 +25,12 @@ class WallPart {
     /// Their share of the fluid's dρ/dt.
     void rates();
 
+    /// visit(name, member) for what changes during a run and is not among the particles' columns.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("displacement", displacement_), visit("velocity", velocity_), visit("acceleration", acceleration_);
+    }
+
   private:
     void friction();
     /// Ghosts stand where their walls have moved to, and move with them.

@@ -3,7 +3,7 @@
 program=$1
 scenes=$2
 work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+trap 'umount "$work/disk" 2>/dev/null; rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failures=0
 
@@ -153,6 +153,110 @@ wait $pid
 code=$?
 [ $code -eq 130 ] || fail "an interrupted run returned $code"
 holds '"status": "interrupted"' stopped/summary.json
+
+# What a stopped run wrote is gone on with, to the same bits: same FOLDER FOLDER.
+same() {
+    cmp "$1/probes.csv" "$2/probes.csv" || fail "$2/probes.csv is not that of $1"
+    diff -r "$1/frames" "$2/frames" || fail "$2/frames are not those of $1"
+}
+
+expect 2 "--force requires --resume" "$program" run "$gate" --force
+expect 2 "--output excludes --resume" "$program" run --resume stopped -o other
+expect 2 "missing: found no such folder" "$program" run --resume missing
+mkdir empty
+expect 2 "empty: found no checkpoint" "$program" run --resume empty
+
+# A few hundred steps, with a frame, a row and a checkpoint every few of them.
+settings="--until 0.03 --set output.frame_interval=0.004 --set output.probe_interval=0.001"
+often="--set output.checkpoint_interval=0.0012"
+# shellcheck disable=SC2086 # settings are words
+expect 0 "done" "$program" run "$gate" -o whole $settings --threads 1
+
+# Stopped by a signal, once more when it goes on, then left to its end.
+# shellcheck disable=SC2086
+"$program" run "$gate" -o termed $settings >out 2>&1 &
+pid=$!
+while [ ! -e termed/frames/frame_0001.hdf ]; do sleep 0.02; done
+kill -TERM $pid
+wait $pid
+[ -e termed/checkpoints ] || fail "an interrupted run leaves no checkpoint"
+"$program" run --resume termed --threads 2 >out 2>&1 &
+pid=$!
+while [ ! -e termed/frames/frame_0003.hdf ]; do sleep 0.02; done
+kill -TERM $pid
+wait $pid
+expect 0 "going on from termed/checkpoints/step_" "$program" run --resume termed --threads 1
+same whole termed
+expect 0 "termed is finished: it ran to 0.03 s" "$program" run --resume termed
+
+# Killed at moments of every kind, again and again; SLUICE_KILLS says how often.
+kills=${SLUICE_KILLS:-10}
+k=0
+while [ $k -lt "$kills" ]; do
+    threads=$((k % 2 + 1))
+    if ls killed/checkpoints/step_*.h5 >out 2>&1; then
+        "$program" run --resume killed --threads $threads >out 2>&1 &
+    else
+        # shellcheck disable=SC2086
+        "$program" run "$gate" -o killed $settings $often --threads $threads >out 2>&1 &
+    fi
+    pid=$!
+    sleep 0.$((k * 37 % 23 + 10))
+    kill -KILL $pid 2>/dev/null
+    wait $pid 2>/dev/null
+    k=$((k + 1))
+    if grep -qs '"status": "done"' killed/summary.json; then # it was faster: once more from the start
+        same whole killed
+        rm -r killed
+    fi
+done
+if ls killed/checkpoints/step_*.h5 >out 2>&1; then
+    expect 0 "results in killed" "$program" run --resume killed
+    same whole killed
+fi
+
+# The newest checkpoint is damaged, then both.
+cp -r termed damaged
+# shellcheck disable=SC2086
+expect 0 "done" "$program" run "$gate" -o damaged $settings $often
+last=$(ls damaged/checkpoints | tail -n 1)
+printf x | dd of="damaged/checkpoints/$last" bs=1 seek=2000 conv=notrunc 2>out
+rm damaged/summary.json
+expect 0 "$last: is damaged: size or checksum do not match; the one before is used" "$program" run --resume damaged
+same whole damaged
+for file in damaged/checkpoints/*; do printf x | dd of="$file" bs=1 seek=2000 conv=notrunc 2>out; done
+rm damaged/summary.json
+expect 2 "no checkpoint can be used" "$program" run --resume damaged
+
+# Another scene is refused, and what differs is shown.
+expect 0 "done" "$program" run "$gate" -o early --until 0.01 --set output.checkpoint_interval=0.004
+expect 2 "+ courant = 0.5" "$program" run --resume early --until 0.012 --set method.courant=0.5
+holds "the scene is not that of early/checkpoints/" out
+holds "--force goes on with it all the same" out
+expect 2 "the scene is not that of" "$program" run "$scenes/still_water_3d.toml" --resume early --until 0.012
+expect 2 "the checkpoint does not fit" \
+    "$program" run "$scenes/still_water_3d.toml" --resume early --until 0.012 --force
+expect 0 "going on with it all the same" \
+    "$program" run --resume early --until 0.012 --set output.probe_interval=0.001 --force
+holds "probe_interval = 0.001" early/scene.toml
+
+# Only root can make a small disk.
+mkdir disk
+if mount -t tmpfs -o size=900k tmpfs disk 2>out; then
+    # shellcheck disable=SC2086
+    expect 3 "No space left on device" "$program" run "$gate" -o disk $settings $often
+    holds "checkpoints/step_" out
+    holds '"status": "failed"' disk/summary.json
+    ls disk/checkpoints/*.part >out 2>&1 && fail "a part of a checkpoint is left"
+    mount -o remount,ro disk
+    expect 3 "Read-only file system" "$program" run --resume disk
+    mount -o remount,rw,size=20m disk
+    expect 0 "going on from" "$program" run --resume disk
+    same whole disk
+    umount disk
+else
+    echo "no small disk could be made: what happens on a full one was not tried"
+fi
 
 [ $failures -eq 0 ] && echo "all as expected"
 exit $failures

@@ -41,6 +41,11 @@ TEST_CASE("a scene is read in full", "[scene]") {
     CHECK(s.probes[2].kind == ProbeKind::energy);
     CHECK(s.output.end == 0.4);
     CHECK(s.output.probe_interval == 0);
+    CHECK(s.output.checkpoint_interval == 0);
+    CHECK(s.output.checkpoint_minutes == 10);
+    CHECK(s.output.has_checkpoints());
+    CHECK_FALSE(load(gate + "checkpoint_minutes = 0\n").output.has_checkpoints());
+    CHECK_THAT(load_error(gate + "checkpoint_interval = -1\n"), Contains("expected a number >= 0"));
 }
 
 TEST_CASE("method constants default to the preset's", "[scene]") {

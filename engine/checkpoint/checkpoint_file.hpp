@@ -1,0 +1,27 @@
+// One checkpoint: all that a run needs to go on, in one HDF5 file.
+//
+// The file starts with a block of text, HDF5's "user block", which states the format, the number of bytes behind it and
+// their CRC-32. It is read first and must be right to the last byte, so that the HDF5 library never sees a damaged
+// file.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "engine/checkpoint/checkpoint_label.hpp"
+#include "engine/checkpoint/state_visitors.hpp"
+
+namespace sluice {
+
+/// Writes a file, wholly or not at all, and makes the disk keep it: `fill` says what goes in. Throws OutputError.
+void write_checkpoint(const std::filesystem::path& file, const std::function<void(const StateWriter&)>& fill);
+
+/// Why a file is no checkpoint that can be read; empty if it is one.
+std::string checkpoint_problem(const std::filesystem::path& file);
+
+/// A file without a problem. Throws CheckpointError.
+StateReader open_checkpoint(const std::filesystem::path& file);
+CheckpointLabel read_label(const std::filesystem::path& file);
+
+}  // namespace sluice
