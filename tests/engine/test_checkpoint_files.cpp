@@ -24,7 +24,7 @@ struct Content {
     bool flag = true;
     std::string text = "some text";
     std::array<double, 2> fixed{1, -0.0};
-    Array<double> column{1, 2, 3}, empty;
+    Array<double> column = Array<double>(3, 0.3), empty;
     std::vector<Vec<2>> opaque;
     std::vector<std::vector<std::uint8_t>> lists;
 

@@ -64,7 +64,7 @@ TEST_CASE("mistakes in a reference are answered with line, key, what was found a
     CHECK(error_with("probe = \"free_end.z\"\n") ==
           at + "probe: found \"free_end.z\", expected one of \"free_end.x\", \"free_end.y\", \"level.level\", "
                "\"balance.kinetic\", \"balance.potential\", \"balance.compression\", \"balance.elastic\", "
-               "\"balance.total\"; did you mean \"free_end.x\"?");
+               "\"balance.contact\", \"balance.total\"; did you mean \"free_end.x\"?");
     CHECK_THAT(error_with("probe = \"free_end.x\"\nmeasure = \"peek\"\n"),
                StartsWith(next + "measure: found \"peek\", expected one of \"rms\"") && Contains("mean \"peak\"?"));
     CHECK_THAT(error_with("probe = \"free_end.x\"\nformula = \"sin(x)\"\n"),
