@@ -40,7 +40,7 @@ def main():
     arguments.add_argument("--threads", default="1")
     options = arguments.parse_args()
     parts = ["# Oscillating plate: stability and energy\n\nWritten by `validation/oscillating_plate/stability.py`; Δt = "
-             "courant · h/c with c = √((λ + 2μ)/ρ), ν = 0.4, hourglass control 0.1, kick-drift-kick.\n",
+             "courant · min(h, 1.2 d)/c with c = √((λ + 2μ)/ρ), ν = 0.4, kick-drift-kick.\n",
              "## Largest stable method.courant\n\nBetween the two numbers: the first ran, the second did not.\n",
              table(["", *(f"h/d = {s}" for s in SMOOTHING)], [[kernel] + [limit(options, kernel, s) for s in SMOOTHING] for kernel in KERNELS]),
              f"## Energy over {PERIODS} periods\n\nSix across, L/H = 10, v_L0 = 0.01 c₀: relative to what was given. *Span*: "
