@@ -92,8 +92,9 @@ void BoundaryCoupling<Dim>::hand_over() {
 template <int Dim>
 void BoundaryCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<Dim>& on_fluid) {
     const auto& boundary = c_.state.boundary;
-    balance_.force = ordered_sum<double>(boundary.owned, [&](std::size_t i) { return norm(boundary.force[i]); });
-    if (balance_.force > 0) balance_.residual = std::max(balance_.residual, norm(on_solid + on_fluid) / balance_.force);
+    const double magnitude =
+        ordered_sum<double>(boundary.owned, [&](std::size_t i) { return norm(boundary.force[i]); });
+    balance_.record(magnitude, norm(on_solid + on_fluid));
 }
 
 template class BoundaryCoupling<2>;

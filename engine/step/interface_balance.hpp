@@ -1,11 +1,28 @@
+// How well the forces between fluid and solid cancel.
 #pragma once
+
+#include <algorithm>
 
 namespace sluice {
 
-/// Momentum handed from fluid to solid in the last step [N], and what is left when both sides are added up.
+/// Momentum handed over per time [N; N/m in 2D], and what is left of it when both sides are added up.
 struct InterfaceBalance {
-    double force = 0;     ///< sum of the magnitudes of the forces of elements or particles
-    double residual = 0;  ///< worst so far: |force on solid + force on fluid + reaction of the mirror walls| / force
+    double force = 0;     ///< sum of the magnitudes of the forces of elements or particles, in the last step
+    double largest = 0;   ///< the largest of these sums so far
+    double residual = 0;  ///< worst so far: |force on solid + force on fluid + reaction of the mirror walls| / largest
+
+    /// Against the largest force, as a step in which the two hardly touch has nothing but rounding to show: the
+    /// pressure of a pair, 2 p + ρ (g − a)·x, is a difference, and either side rounds it by itself.
+    void record(double magnitude, double net) {
+        force = magnitude;
+        largest = std::max(largest, magnitude);
+        if (largest > 0) residual = std::max(residual, net / largest);
+    }
+
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("force", force), visit("largest", largest), visit("residual", residual);
+    }
 };
 
 }  // namespace sluice

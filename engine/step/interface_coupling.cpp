@@ -48,8 +48,7 @@ void InterfaceCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<
         sum += e.image_pressure[k] * e.area_normal[k];
         magnitude += norm(e.force[k]);
     }
-    balance_.force = magnitude;
-    if (magnitude > 0) balance_.residual = std::max(balance_.residual, norm(sum) / magnitude);
+    balance_.record(magnitude, norm(sum));
 }
 
 template <int Dim>

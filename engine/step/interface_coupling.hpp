@@ -22,7 +22,7 @@ class InterfaceCoupling {
     /// visit(name, member) for what changes during a run and is not among the particles' columns.
     template <class Visit>
     void visit_state(Visit&& visit) {
-        visit("force", balance_.force), visit("residual", balance_.residual);
+        visit("balance", balance_);
     }
 
   private:
