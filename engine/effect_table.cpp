@@ -191,7 +191,7 @@ const std::array<EffectRow, effect_count> table{{
      {StepPhase::solid_pass, StepPhase::gradient_pass}},
     {{Effect::hourglass_control, "hourglass_control", "solid: hourglass control", "Ganzenmueller2015; Silling2017", "",
       "on if there is a total-Lagrangian solid and method.solid.hourglass_control is not 0",
-      "f_a = −V_a Σ_b V_b w_ab [k_a (x_ab − F_a X_ab) + k_b (x_ab − F_b X_ab)],  k = ζ E"},
+      "f_a = −V_a Σ_b V_b w_ab [k_a (x_ab − F_a X_ab) + k_b (x_ab − F_b X_ab)],  k = 2 ζ μ"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_total_lagrangian(c), "zeta", s.method.solid.hourglass_control, 0);
      }},
@@ -287,7 +287,8 @@ const std::array<EffectRow, effect_count> table{{
                         : Decision{Verdict::impossible, "no fluid body"};
      }},
     {{Effect::clamp, "clamp", "solid: clamp", "Antoci2007 sect. 4", "",
-      "on if a body has a clamp; cannot be left out then", "v = 0"},
+      "on if a body has a clamp; cannot be left out then",
+      "v = 0; total Lagrangian: u(X_s − x) = −u(X_s + x) for points X_s of its surface, as its neighbours see it"},
      [](const Scene&, const SceneContent& c) {
          return c.clamp ? Decision{Verdict::required, "bodies: " + c.clamps}
                         : Decision{Verdict::impossible, "no clamped body"};

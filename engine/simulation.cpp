@@ -26,7 +26,7 @@ struct Simulation<Dim>::Impl {
         : scene(s),
           effects(scene),
           state(place_particles<Dim>(scene, effects)),
-          planner(scene, effects, courant_limits_of(scene, effects, state)),
+          planner(scene, effects, courant_limits_of(scene, state)),
           smoothing(scene.method.smoothing_function),
           neighbors(state, effects, scene.method.smoothing_length, smoothing.support),
           context{scene, effects, state, neighbors, pair_method(), StepPlan{}},
@@ -39,6 +39,8 @@ struct Simulation<Dim>::Impl {
           total_lagrangian(context, contact),
           interface(context),
           boundary(context) {
+        if (effects.has(Effect::total_lagrangian))
+            limit_by_mode(scene, effects, total_lagrangian.fastest_mode(), planner.limits().back());
         context.plan = planner.next(fluid.speed(), norm(state.gravity));
         const double dt = context.plan.dt, of_solid = highest_speed(state.solid);
         neighbors.expect_motion(dt * fluid.max_speed(), dt * of_solid, dt / context.plan.substeps * of_solid);

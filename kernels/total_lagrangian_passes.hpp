@@ -10,7 +10,7 @@
 //
 // Energy. ψ of the material law, and a penalty on what the neighbours' places have beyond F [in the manner of Silling
 // 2017; Ganzenmüller 2015 takes its part along the pair]: F alone does not see particles that zigzag.
-//   U = Σ_a V_a ψ(F_a) + Σ_a ½ k_a V_a Σ_b V_b w_ab |x_ab − F_a X_ab|²,   k_a = ζ E                              (b)
+//   U = Σ_a V_a ψ(F_a) + Σ_a ½ k_a V_a Σ_b V_b w_ab |x_ab − F_a X_ab|²,   k_a = 2 ζ μ                            (b)
 // The second sum is zero for every linear x(X). As F_a minimises it, it does not change with F_a, and with P = ∂ψ/∂F
 // the force −∂U/∂x_a is a sum over pairs without a sum over the neighbours' neighbours:
 //   f_a = V_a Σ_b V_b {(P_a L_a + P_b L_b) ∇_a W_ab − w_ab [k_a (x_ab − F_a X_ab) + k_b (x_ab − F_b X_ab)]}
@@ -24,14 +24,13 @@
 // the body turns, and the pseudo-inverse gives an F without volume. A row of single particles has no stiffness,
 // therefore.
 //
-// ζ = 0.6, because plates then bend as they should. F of the layers next to a free surface is fitted from one side,
-// which makes a plate too soft; the penalty on what is not linear makes it stiffer; both go as (h/thickness)², and at
-// about 0.65 they cancel. First frequency of a free beam in plane strain, thickness 1/10, against Timoshenko's, ν =
-// 0.3, h/d from 1 to 1.5, all smoothing functions: with 4 layers −1.8 … +0.5 %, with 8 layers −1.3 … +0.1 %. At ζ =
-// 0.1, cubic spline: −11 … −23 % and −3 … −7 %. The fastest mode of a lattice, which the step must resolve, has ω d/c
-// = 1.52 instead of 1.39 without control (2D, h/d = 1.3; 1.63 and 1.53 in 3D), c² = (λ + 2μ)/ρ, and the zigzag, which
-// costs nothing without, has 1.23. Explicit steps are stable up to about 0.95 h/c (2/ω, h/d from 1 to 2, ν from 0 to
-// 0.45).
+// ζ = 0.85, because plates then bend as they should. F of the layers next to a free surface is fitted from one side,
+// which makes a plate too soft; the penalty on what is not linear makes it stiffer; both go as (h/thickness)², and
+// about there they cancel, whatever Poisson's ratio is. First period of a plate in plane strain, ten times as long as
+// thick and clamped (engine/step/clamp_extension.hpp), against finite elements, for ν = 0 to 0.45, h/d = 1 to 1.8,
+// cubic spline and Wendland C2: with 4 layers −5 … +2.3 %, with 6 −1.8 … +1.4 %, with 10 −0.5 … +0.7 %. The fastest
+// mode of a lattice, which the step must resolve, has ω d/c = 1.36 (2D, h/d = 1.3, ν = 0.3; 1.40 in 3D), c² = (λ +
+// 2μ)/ρ, 0.87 without control; layers next to a surface may have faster ones, up to 2.3 in bodies of two layers.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +40,8 @@
 
 namespace sluice {
 
-/// ζ, the stiffness against what is not linear over Young's modulus.
-inline constexpr double usual_hourglass_control = 0.6;
+/// ζ, the stiffness against what is not linear over twice the shear modulus.
+inline constexpr double usual_hourglass_control = 0.85;
 
 /// Constants of ReferenceViscosity. α = 0 takes it out of the loop.
 struct ElasticViscosity {
@@ -51,8 +50,8 @@ struct ElasticViscosity {
     double density = 0;               ///< ρ0 [kg/m³]
 };
 
-/// gradient_correction = L and hourglass_stiffness = k for listed particles, once for a body. `stiffness` is ζ E [Pa].
-/// Reads position and volume.
+/// gradient_correction = L and hourglass_stiffness = k for listed particles, once for a body. `stiffness` is 2 ζ μ
+/// [Pa]. Reads position and volume.
 template <int Dim>
 std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborList& list, double stiffness,
                                  const PairMethod<Dim>& method, SymTensorField<Dim>& gradient_correction,

@@ -100,7 +100,7 @@ struct MediumMethod {
     double artificial_viscosity = 0;             ///< α of eq. (12)
     double artificial_stress = 0;                ///< e of eq. (14)
     int artificial_stress_exponent = 4;          ///< q of eq. (11)
-    double hourglass_control = 0.6;              ///< ζ of kernels/total_lagrangian_passes.hpp, which says why 0.6
+    double hourglass_control = 0.85;             ///< ζ of kernels/total_lagrangian_passes.hpp, which says why 0.85
 };
 
 enum class Preset { paper, modern };

@@ -154,7 +154,7 @@ void Neighborhood<Dim>::build_solid() {
     search_.build(solid_grid_, solids, pair_cut(for_good ? 0.0 : solid_skin_.skin()), solid_solid);
     solid_skin_.was_built();
     if (effects_.has(Effect::clamp) && !for_good) {
-        leave_out_resting();
+        leave_out_resting({}, {});
         for (auto& column : state_.solid.velocity_gradient.c) std::fill(column.begin(), column.end(), 0.0);
     }
     if (for_good) {
@@ -174,20 +174,24 @@ void Neighborhood<Dim>::prune_solid() {
 
 /// Clamped particles never move, so that stress changes only next to those that do: all others leave solid_solid.
 template <int Dim>
-void Neighborhood<Dim>::leave_out_resting() {
+void Neighborhood<Dim>::leave_out_resting(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended) {
     const auto& solid = state_.solid;
     Array<std::uint8_t> moving(solid.owned), stressed(solid.owned);
     for (std::size_t i = 0; i < solid.owned; ++i) moving[i] = !solid.clamped[i];
     solid_solid.mark_candidates(moving, stressed);
-    solid_solid.keep_queries(stressed);
+    for (std::size_t i = 0; i < rigid.size(); ++i) {
+        if (rigid[i]) stressed[i] = 0;
+        if (extended[i]) moving[i] = 1;
+    }
     moving_solid_ = solid_solid;
     moving_solid_.keep_queries(moving);
+    solid_solid.keep_queries(stressed);
 }
 
 template <int Dim>
-void Neighborhood<Dim>::leave_out_clamped() {
+void Neighborhood<Dim>::leave_out_clamped(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended) {
     if (!effects_.has(Effect::clamp)) return;
-    leave_out_resting();
+    leave_out_resting(rigid, extended);
     const Set solid{state_.solid.position, state_.solid.smoothing_length};  // the reference configuration still
     search_.prune(solid, solid, pair_cut(0), solid_solid);
     search_.prune(solid, solid, pair_cut(0), moving_solid_);

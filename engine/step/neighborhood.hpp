@@ -2,6 +2,7 @@
 // lists.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/state/state.hpp"
@@ -31,8 +32,9 @@ class Neighborhood {
     void update_solid();
 
     /// Tells that the stress of a total-Lagrangian solid's start is known: where it stays for good it needs no passes.
-    void leave_out_clamped();
-    /// The rows of solid_solid whose forces are asked for: not of those that are clamped.
+    /// The stress of `rigid` particles is not asked for, but forces on the `extended` ones are (clamp_extension.hpp).
+    void leave_out_clamped(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended);
+    /// The rows of solid_solid whose forces are asked for: not of those that are clamped, but for those `extended`.
     const NeighborList& moving_solid() const { return effects_.has(Effect::clamp) ? moving_solid_ : solid_solid; }
 
     /// Images follow their owners.
@@ -82,7 +84,7 @@ class Neighborhood {
     void build_fluid();
     void build_solid();
     void build_coupling();
-    void leave_out_resting();
+    void leave_out_resting(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended);
     void prune_fluid();
     void prune_solid();
     bool has_images() const { return !state_.image_planes.empty(); }

@@ -9,13 +9,6 @@
 namespace sluice {
 namespace {
 
-/// The fastest mode of a total-Lagrangian solid is one of its lattice, not of h: two layers that swing against each
-/// other, ω = 2 c/d, whatever h is, or a surface of thicker bodies. Largest stable Δt c/d (2D, all Poisson ratios,
-/// hourglass control 0.6): 0.9 to 0.95 with two layers, h/d from 1 to 1.8; from three layers on 1.0 with h = d, 1.1
-/// with 1.2 d, 1.3 and more from 1.5 d on. So the Courant number counts h up to 1.2 d: 0.75 is stable with two layers,
-/// 0.9 with more.
-double elastic_step_ratio(double h_over_d) { return std::min(1.0, 1.2 / h_over_d); }
-
 /// How much shorter the step of a total-Lagrangian solid must be with artificial viscosity α, whose forces lag by half
 /// a step: √(1 + ζ²) − ζ of the undamped limit [Belytschko, Liu & Moran 2000, section 6.2.9], ζ the damping ratio of
 /// the fastest mode. ζ = α/6 bounds what was measured on a bent, shaken block (h = 1.5 d): stable up to a Courant
@@ -28,7 +21,7 @@ double damped_step_ratio(double artificial_viscosity) {
 }  // namespace
 
 template <int Dim>
-std::vector<CourantLimit> courant_limits_of(const Scene& scene, const Effects& effects, const State<Dim>& state) {
+std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state) {
     std::vector<CourantLimit> limits;
     const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium, double sound_speed) {
         const double h = *std::min_element(phase.smoothing_length.begin(), phase.smoothing_length.end());
@@ -43,10 +36,13 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const Effects& e
     const Medium& rubber = *state.rubber;
     const double fastest = std::sqrt(rubber.law.wave_modulus() / rubber.eos.density);
     add(state.solid, state.rubber, reference ? fastest : rubber.eos.sound_speed);
-    if (reference) limits.back().dt *= elastic_step_ratio(scene.method.smoothing_length);
-    if (reference && effects.has(Effect::solid_viscosity))
-        limits.back().dt *= damped_step_ratio(scene.method.solid.artificial_viscosity);
     return limits;
+}
+
+void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, CourantLimit& limit) {
+    if (!(fastest_mode > 0)) return;
+    limit.dt = scene.method.courant * 2 / fastest_mode;
+    if (effects.has(Effect::solid_viscosity)) limit.dt *= damped_step_ratio(scene.method.solid.artificial_viscosity);
 }
 
 StepPlanner::StepPlanner(const Scene& scene, const Effects& effects, std::vector<CourantLimit> limits)
@@ -71,7 +67,7 @@ StepPlan StepPlanner::next(double speed, double acceleration) {
     return {dt, substeps, std::max(1.0, dt / least)};
 }
 
-template std::vector<CourantLimit> courant_limits_of<2>(const Scene&, const Effects&, const State<2>&);
-template std::vector<CourantLimit> courant_limits_of<3>(const Scene&, const Effects&, const State<3>&);
+template std::vector<CourantLimit> courant_limits_of<2>(const Scene&, const State<2>&);
+template std::vector<CourantLimit> courant_limits_of<3>(const Scene&, const State<3>&);
 
 }  // namespace sluice

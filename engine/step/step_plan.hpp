@@ -14,7 +14,7 @@ struct State;
 /// The largest stable step of one medium.
 struct CourantLimit {
     std::string medium;      ///< material's name
-    double dt = 0;           ///< courant · h / c0; less for thin lattices and viscosities (step_plan.cpp) [s]
+    double dt = 0;           ///< courant · h / c0, or what viscosity or the fastest mode leave of it [s]
     double h = 0;            ///< the medium's smallest smoothing length [m]
     double sound_speed = 0;  ///< c0 [m/s]
     double viscosity = 0;    ///< ν [m²/s]
@@ -22,7 +22,11 @@ struct CourantLimit {
 
 /// Those of the media present, the fluid's first, each with its smallest h.
 template <int Dim>
-std::vector<CourantLimit> courant_limits_of(const Scene& scene, const Effects& effects, const State<Dim>& state);
+std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state);
+
+/// Of a total-Lagrangian solid: courant · 2/ω, ω its fastest mode [1/s], the limit of explicit steps for what is linear
+/// and undamped; with artificial viscosity less. Leaves the limit as it is if ω = 0: nothing can move.
+void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, CourantLimit& limit);
 
 /// The step of all media together, and how many sub-steps of the solid there are in it.
 struct StepPlan {
@@ -56,6 +60,7 @@ class StepPlanner {
     StepPlan next(double speed, double acceleration);
     bool adaptive() const { return adaptive_; }
     const std::vector<CourantLimit>& limits() const { return limits_; }
+    std::vector<CourantLimit>& limits() { return limits_; }
 
     /// visit(name, member) for what changes during a run.
     template <class Visit>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/step/largest_eigenvalue.hpp"
 #include "engine/step/solid_motion.hpp"
 #include "neighbor/parallel.hpp"
 
@@ -18,12 +19,20 @@ TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, Solid
     law_ = medium.law;
     const double alpha = c_.has(Effect::solid_viscosity) ? m.artificial_viscosity : 0.0;
     viscosity_ = {alpha, medium.eos.sound_speed, medium.eos.density};
-    const double stiffness = c_.has(Effect::hourglass_control) ? m.hourglass_control * law_.young_modulus() : 0.0;
+    const double stiffness = c_.has(Effect::hourglass_control) ? m.hourglass_control * 2 * law_.mu : 0.0;
     elastic_correction<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, stiffness, c_.method,
                             solid.gradient_correction, solid.hourglass_stiffness);
-    update_stress(c_.neighbors.solid_solid);
+    if (c_.has(Effect::clamp)) {
+        const double h = *std::max_element(solid.smoothing_length.begin(), solid.smoothing_length.end());
+        behind_clamp_ = {c_.scene, solid, c_.neighbors.solid_solid,
+                         Smoothing<Dim>(c_.scene.method.smoothing_function).support * h};
+        behind_clamp_.take_energy(solid);
+    }
+    elastic_forces({});
+    c_.neighbors.leave_out_clamped(behind_clamp_.rigid(), behind_clamp_.extended());
+    fastest_mode_ = find_fastest_mode();
+    update_stress();
     update_density();
-    c_.neighbors.leave_out_clamped();
 }
 
 template <int Dim>
@@ -43,7 +52,7 @@ double TotalLagrangianSolid<Dim>::move() {
         const double moved = drift();
         contact_.add_motion(moved);
         motion += moved;
-        update_stress(c_.neighbors.moving_solid());
+        update_stress();
         kick();
     }
     update_density();
@@ -84,20 +93,54 @@ double TotalLagrangianSolid<Dim>::drift() {
 }
 
 template <int Dim>
-void TotalLagrangianSolid<Dim>::update_stress(const NeighborList& accelerated) {
+void TotalLagrangianSolid<Dim>::update_stress() {
+    c_.pairs += elastic_forces(viscosity_);
+    contact_.add_forces();
+}
+
+template <int Dim>
+std::uint64_t TotalLagrangianSolid<Dim>::elastic_forces(const ElasticViscosity& viscosity) {
     auto& solid = c_.state.solid;
     const auto view = reference_view_of(solid);
+    behind_clamp_.displace(solid);
+    std::uint64_t pairs = 0;
     {
         const auto scope = c_.timer.measure(StepPhase::gradient_pass);
-        c_.pairs += elastic_deformation<Dim>(view, c_.neighbors.solid_solid, law_, c_.method, solid.deformation,
-                                             solid.corrected_stress);
+        pairs += elastic_deformation<Dim>(view, c_.neighbors.solid_solid, law_, c_.method, solid.deformation,
+                                          solid.corrected_stress);
     }
-    {
-        const auto scope = c_.timer.measure(StepPhase::solid_pass);
-        for (auto& column : solid.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
-        c_.pairs += elastic_momentum<Dim>(view, accelerated, viscosity_, c_.method, solid.acceleration);
-    }
-    contact_.add_forces();
+    const auto scope = c_.timer.measure(StepPhase::solid_pass);
+    for (auto& column : solid.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
+    pairs += elastic_momentum<Dim>(view, c_.neighbors.moving_solid(), viscosity, c_.method, solid.acceleration);
+    behind_clamp_.hand_over(solid);
+    return pairs;
+}
+
+template <int Dim>
+double TotalLagrangianSolid<Dim>::find_fastest_mode() {
+    auto& solid = c_.state.solid;
+    const std::size_t n = solid.owned;
+    // Displacements of 1e-6 h in the mean: linear in six digits, and far above the rounding of positions.
+    const double mass = ordered_sum<double>(n, [&](std::size_t i) { return solid.mass[i]; });
+    const double amplitude = 1e-6 * solid.smoothing_length[0] * std::sqrt(mass);
+    const PhaseTimer timer = c_.timer;
+    const VectorField<Dim> start = solid.position;
+    const double fastest = largest_eigenvalue(Dim * n, [&](std::span<const double> x, std::span<double> y) {
+        // Masses on both sides, so that the operator is symmetric: y = √m a(x/√m).
+        parallel_for(n, [&](std::size_t i) {
+            Vec<Dim> u;
+            for (int k = 0; k < Dim; ++k) u[k] = solid.clamped[i] ? 0.0 : x[Dim * i + static_cast<std::size_t>(k)];
+            solid.position.set(i, start[i] + (amplitude / std::sqrt(solid.mass[i])) * u);
+        });
+        elastic_forces({});
+        parallel_for(n, [&](std::size_t i) {
+            const double scale = solid.clamped[i] ? 0.0 : -std::sqrt(solid.mass[i]) / amplitude;
+            for (int k = 0; k < Dim; ++k) y[Dim * i + static_cast<std::size_t>(k)] = scale * solid.acceleration[i][k];
+        });
+    });
+    solid.position = start;
+    c_.timer = timer;
+    return std::sqrt(fastest);
 }
 
 template <int Dim>

@@ -1,6 +1,7 @@
 // An elastic solid in its reference configuration: its own steps within a step (kernels/total_lagrangian_passes.hpp).
 #pragma once
 
+#include "engine/step/clamp_extension.hpp"
 #include "engine/step/contact.hpp"
 #include "engine/step/context.hpp"
 #include "kernels/total_lagrangian_passes.hpp"
@@ -20,6 +21,9 @@ class TotalLagrangianSolid {
     void push(double interval);
     /// What the hourglass control holds. [J; J/m in 2D]
     double hourglass_energy() const;
+    /// The highest angular frequency of all its small motions about its reference configuration, at most 1 % too low; 0
+    /// if nothing can move. [1/s]
+    double fastest_mode() const { return fastest_mode_; }
 
   private:
     double dt() const { return c_.plan.dt / c_.plan.substeps; }
@@ -27,8 +31,12 @@ class TotalLagrangianSolid {
     double drift();
     /// Its own steps. Returns as advance().
     double move();
-    /// F and T where they may change, the acceleration by stress of those listed, and that by contact.
-    void update_stress(const NeighborList& accelerated);
+    /// F and T where they may change, and the acceleration by stress and contact.
+    void update_stress();
+    /// F and T where they may change, and the acceleration by stress. Returns the pairs that it took.
+    std::uint64_t elastic_forces(const ElasticViscosity& viscosity);
+    /// By some dozens of force evaluations.
+    double find_fastest_mode();
     /// ρ = ρ0/det F, which the fluid sees.
     void update_density();
 
@@ -36,6 +44,8 @@ class TotalLagrangianSolid {
     SolidContact<Dim>& contact_;
     Hyperelastic law_;
     ElasticViscosity viscosity_;
+    ClampExtension<Dim> behind_clamp_;
+    double fastest_mode_ = 0;
 };
 
 extern template class TotalLagrangianSolid<2>;

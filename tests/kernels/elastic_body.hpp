@@ -28,7 +28,7 @@ struct ElasticBody {
         hourglass_energies.assign(n, 0);
         deformation.resize(n);
         corrected_stress.resize(n);
-        elastic_correction<Dim>(view(), list, hourglass_control * law.young_modulus(), method, gradient_correction,
+        elastic_correction<Dim>(view(), list, hourglass_control * 2 * law.mu, method, gradient_correction,
                                 hourglass_stiffness);
     }
     ElasticBody(const Particles<Dim>& particles, const Hyperelastic& material, double hourglass_control,

@@ -13,7 +13,7 @@ using namespace sluice;
 namespace {
 
 const Hyperelastic rubber = Hyperelastic::with(ElasticLaw::neo_hookean, 1e6, 0.4);
-constexpr double stiffness = usual_hourglass_control * 1e6;  // ζ E
+const double stiffness = usual_hourglass_control * 2 * rubber.mu;
 
 /// The first (0) or second (1) of two tensors.
 template <int Dim>

@@ -1,0 +1,66 @@
+// What the neighbours of a clamp see of it: the displacement goes on behind the clamp's surface as its mirror image.
+//
+// A clamp holds the solid at a surface, u = 0 there, and whatever lies behind is rigid. Strain is not: it ends at the
+// surface with a jump. A gradient summed over free and held particles alike sees half of it on either side, and energy,
+// which goes with its square, too little: a plate acts as if it were longer by about half an h, an error of first
+// order. So displacement is made odd about the surface,
+//   u(X_b) = −r u(X_j),   r = |X_b − X_s|/|X_j − X_s| ≤ 1,
+// which is exact for every linear field that is zero at the surface's point X_s between the two, and right to second
+// order for others [as velocity behind walls without slip, Takeda, Miyama & Sekiya 1994; Morris, Fox & Zhu 1997,
+// section 3.6]. On a lattice that the surface cuts half-way, b and j are mirror images and r = 1.
+//
+// Nothing behind the surface has energy of its own: L = 0 and k = 0, so that F = I and T = 0. What is left of
+// the energy (b) of kernels/total_lagrangian_passes.hpp depends on free particles only, directly and by way of those
+// behind, so that a force f_b on one behind is one of −r f_b on its j: f_j = −∂U/∂x_j, and energy is kept. As an odd
+// field of the lattice that goes on, no mode is faster than without a clamp.
+//
+// Held as before, u = 0, are particles that have free ones on both sides of them, as in a body clamped in its middle
+// only.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engine/scene/scene.hpp"
+#include "engine/state/phases.hpp"
+#include "neighbor/neighbor_list.hpp"
+
+namespace sluice {
+
+template <int Dim>
+class ClampExtension {
+  public:
+    ClampExtension() = default;
+    /// For particles where they are at the start. `list` holds each one's neighbours in the reference configuration,
+    /// `support` [m] is how far they reach.
+    ClampExtension(const Scene& scene, const SolidPhase<Dim>& solid, const NeighborList& list, double support);
+
+    /// Which particles have no energy: 1 for each of them.
+    std::span<const std::uint8_t> rigid() const { return rigid_; }
+    /// Which of them follow free ones: 1 for each of them.
+    std::span<const std::uint8_t> extended() const { return extended_; }
+    bool empty() const { return pair_.empty(); }
+
+    /// L = 0, k = 0 for rigid particles.
+    void take_energy(SolidPhase<Dim>& solid) const;
+    /// Moves extended particles to where the mirror image of the displacement, and of the velocity, puts them.
+    void displace(SolidPhase<Dim>& solid) const;
+    /// Puts them back, and gives their acceleration's force to those that they follow.
+    void hand_over(SolidPhase<Dim>& solid) const;
+
+  private:
+    /// Held particle `behind` follows free particle `of`.
+    struct Pair {
+        Index behind = 0, of = 0;
+        double ratio = 0;          ///< r
+        Vec<Dim> start, start_of;  ///< where both were at the start [m]
+    };
+
+    Array<Pair> pair_;
+    Array<std::uint8_t> rigid_, extended_;
+};
+
+extern template class ClampExtension<2>;
+extern template class ClampExtension<3>;
+
+}  // namespace sluice
