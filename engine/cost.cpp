@@ -13,7 +13,7 @@
 #include "engine/errors.hpp"
 #include "engine/output/run_record.hpp"
 #include "engine/simulation.hpp"
-#include "engine/state_check.hpp"
+#include "engine/watch/state_check.hpp"
 
 namespace sluice {
 namespace {

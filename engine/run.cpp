@@ -19,15 +19,16 @@
 #include "engine/output/schedule.hpp"
 #include "engine/output/summary.hpp"
 #include "engine/output/version.hpp"
-#include "engine/state_check.hpp"
 #include "engine/stop_request.hpp"
+#include "engine/watch/recovery.hpp"
+#include "engine/watch/watch.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {
 namespace {
 
 /// Steps between two looks at the state of each particle: seldom enough to be free, often enough to lose little.
-constexpr std::uint64_t steps_per_check = 50;
+constexpr std::uint64_t steps_per_look = 50;
 
 using Clock = std::chrono::steady_clock;
 
@@ -76,6 +77,7 @@ class Run {
           start_(Clock::now()),
           cpu_start_(process_cpu_seconds()),
           simulation_(scene),
+          watch_(simulation_),
           frame_times_(scene.output.frame_interval),
           probe_times_(scene.output.probe_interval),
           checkpoint_times_(scene.output) {
@@ -139,6 +141,7 @@ class Run {
         visit("output", written), visit("record", record_);
         visit("frame_schedule", frame_times_), visit("probe_schedule", probe_times_);
         visit("checkpoint_schedule", checkpoint_times_);
+        visit("watch", watch_), visit("recovery", recovery_);
         visit("probe_written", probe_written_), visit("frame_written", frame_written_);
     }
 
@@ -146,19 +149,18 @@ class Run {
 
     void advance() {
         const StopRequest stop;
-        check_state(simulation_);
+        watch_.check(simulation_);
         if (record_.resumed_at.empty()) {
             write_due();
             checkpoint_times_.due(0, simulation_.time_step());  // the scene itself is as good as the first one
         }
         while (!at_end() && !stop.received()) {
-            {
-                const Stopwatch watch(record_.step_seconds);
-                simulation_.step();
+            try {
+                keep_state();
+                go_on();
+            } catch (const NumericalError& failure) {
+                if (!go_back(failure)) throw;
             }
-            if (simulation_.work().steps % steps_per_check == 0) check_state(simulation_);
-            write_due();
-            if (checkpoint_times_.due(simulation_.time(), simulation_.time_step())) write_checkpoint();
             progress_.update(progress_state());
         }
         record_.state = at_end() ? RunState::done : RunState::interrupted;
@@ -166,9 +168,62 @@ class Run {
         if (!at_end() && simulation_.scene().output.has_checkpoints()) write_checkpoint();
     }
 
+    /// A step, and what is due after it.
+    void go_on() {
+        {
+            const Stopwatch watch(record_.step_seconds);
+            simulation_.step();
+        }
+        if (simulation_.work().steps % steps_per_look == 0) look();
+        write_due();
+        if (checkpoint_times_.due(simulation_.time(), simulation_.time_step())) write_checkpoint();
+    }
+
+    void look() {
+        const Stopwatch watch(record_.watch_seconds);
+        watch_.look(simulation_);
+        for (const std::string& news : watch_.take_news())
+            progress_.note(fmt::format("warning: t = {:.4g} s: {}", simulation_.time(), news));
+        if (recovery_.calm(simulation_.work().steps)) simulation_.set_step_share(1);
+    }
+
+    void keep_state() {
+        if (!recovery_.due(simulation_.work().steps)) return;
+        const Stopwatch watch(record_.watch_seconds);
+        recovery_.keep(simulation_.work().steps, CheckpointImage([this](const StateWriter& writer) { save(writer); }));
+        ++record_.snapshots;
+    }
+
+    /// After a breakdown: to the last good state, and on with half the step, if the scene asks for that. Else the good
+    /// state is made a checkpoint, and false returned.
+    bool go_back(const NumericalError& failure) {
+        Recovery::Good& good = recovery_.before(simulation_.work().steps);
+        const Retry retry{simulation_.work().steps, simulation_.time(), failure.what()};
+        if (simulation_.scene().watch != WatchPolicy::retry || !recovery_.shorten(retry.step)) {
+            if (simulation_.scene().output.has_checkpoints()) checkpoints_->write(good.step, good.image);
+            return false;
+        }
+        const RunRecord record = record_;
+        const Recovery::Shortening shortening = recovery_.shortening();
+        OutputState written;
+        const StateReader reader = good.image.reader();
+        simulation_.restore(reader.group("simulation"));
+        visit_run(reader, written);
+        recovery_.set(shortening);
+        record_ = record;
+        record_.retries.push_back(retry);
+        ++record_.retry_count;
+        simulation_.set_step_share(shortening.share);
+        probes_->cut_back(written.probe_bytes);
+        if (frames_) frames_.emplace(directory_, written.frame_times);
+        progress_.note(fmt::format("{}; going on from t = {:.4g} s with {:.3g} of the step", retry.message,
+                                   simulation_.time(), shortening.share));
+        return true;
+    }
+
     /// The last state is always written, due or not.
     void finish() {
-        check_state(simulation_);
+        watch_.check(simulation_);
         {
             const Stopwatch watch(record_.output_seconds);
             if (probe_written_ != simulation_.time()) write_probes();
@@ -185,7 +240,7 @@ class Run {
         if (!probes && !frame) return;
         {
             const Stopwatch watch(record_.output_seconds);
-            check_state(simulation_);
+            watch_.check(simulation_);
             if (probes) write_probes();
             if (frame) write_frame();
         }
@@ -204,7 +259,7 @@ class Run {
 
     /// What is counted as written must be on the disk first.
     void write_checkpoint() {
-        check_state(simulation_);
+        watch_.check(simulation_);
         const double before = record_.checkpoint_seconds;
         {
             const Stopwatch watch(record_.checkpoint_seconds);
@@ -241,6 +296,8 @@ class Run {
         const Stopwatch watch(record_.output_seconds);
         note_time();
         record_.probe_values = probes_->sample(simulation_);
+        record_.warnings = watch_.warnings();
+        record_.looks = watch_.looks();
         write_summary(directory_, simulation_, record_);
     }
 
@@ -277,6 +334,8 @@ class Run {
     Clock::time_point start_;
     double cpu_start_;
     Simulation<Dim> simulation_;
+    Watch<Dim> watch_;
+    Recovery recovery_;
     RunRecord record_;
     Progress progress_;
     Schedule frame_times_, probe_times_;

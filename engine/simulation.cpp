@@ -268,6 +268,14 @@ Vec<Dim> Simulation<Dim>::contact_force_on(std::size_t body) const {
 }
 
 template <int Dim>
+ClosestPair Simulation<Dim>::closest_pair(const Nearness& spacings) const {
+    return sluice::closest_pair(impl_->context, spacings);
+}
+template <int Dim>
+void Simulation<Dim>::set_step_share(double share) {
+    impl_->planner.set_share(share);
+}
+template <int Dim>
 InterfaceBalance Simulation<Dim>::interface_balance() const {
     return impl_->effects.has(Effect::moving_boundary) ? impl_->boundary.balance() : impl_->interface.balance();
 }

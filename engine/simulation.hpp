@@ -9,6 +9,7 @@
 #include "engine/effects.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/state/phases.hpp"
+#include "engine/step/closest_pair.hpp"
 #include "engine/step/energy_balance.hpp"
 #include "engine/step/interface_balance.hpp"
 #include "engine/step/phase_timer.hpp"
@@ -60,10 +61,14 @@ class Simulation {
     Vec<Dim> momentum() const;                          ///< of all moving particles [kg m/s]
     Vec<Dim> force_on(std::size_t body) const;          ///< of the fluid on a solid body [N; N/m in 2D]
     Vec<Dim> contact_force_on(std::size_t body) const;  ///< of what a solid body touches [N; N/m in 2D]
-    InterfaceBalance interface_balance() const;         ///< worst residual over all steps so far
-    double max_mach() const;                            ///< highest |v|/c0 of the fluid so far
-    double max_speed() const;                           ///< highest |v| of the fluid so far [m/s]
-    std::size_t memory_bytes() const;                   ///< particle fields and neighbour lists
+    /// Fluid particles that are too close to others, walls, or solids that are their moving boundary.
+    ClosestPair closest_pair(const Nearness& spacings) const;
+    /// Later steps are so much of what they would be: 1 at the start.
+    void set_step_share(double share);
+    InterfaceBalance interface_balance() const;  ///< worst residual over all steps so far
+    double max_mach() const;                     ///< highest |v|/c0 of the fluid so far
+    double max_speed() const;                    ///< highest |v| of the fluid so far [m/s]
+    std::size_t memory_bytes() const;            ///< particle fields and neighbour lists
 
     /// Everything that changes during a run. A simulation of the same scene that has restored it takes the same steps,
     /// to the bit, with any number of threads.

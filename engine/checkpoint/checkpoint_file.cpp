@@ -15,7 +15,7 @@ namespace sluice {
 namespace {
 
 /// To be raised whenever what is in a checkpoint changes.
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 /// The least that HDF5 allows.
 constexpr std::size_t header_size = 512;
 
@@ -43,10 +43,14 @@ std::string first_lines(const std::string& header) { return header.substr(0, hea
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& file, const std::function<void(const StateWriter&)>& fill) {
-    Hdf5File hdf(header_size);
-    fill(StateWriter(hdf.root()));
-    const std::span<char> image = hdf.image();
+CheckpointImage::CheckpointImage(const std::function<void(const StateWriter&)>& fill) : hdf_(header_size) {
+    fill(StateWriter(hdf_.root()));
+}
+
+StateReader CheckpointImage::reader() const { return StateReader(Hdf5Source(hdf_)); }
+
+void CheckpointImage::write(const std::filesystem::path& file) {
+    const std::span<char> image = hdf_.image();
     const std::string_view bytes(image.data(), image.size());
     Checksum checksum;
     checksum.add(bytes.substr(header_size));
@@ -54,6 +58,10 @@ void write_checkpoint(const std::filesystem::path& file, const std::function<voi
     std::copy(header.begin(), header.end(), image.begin());
     write_atomically(file, bytes);
     sync_folder(file.parent_path());
+}
+
+void write_checkpoint(const std::filesystem::path& file, const std::function<void(const StateWriter&)>& fill) {
+    CheckpointImage(fill).write(file);
 }
 
 std::string checkpoint_problem(const std::filesystem::path& file) {

@@ -14,7 +14,21 @@
 
 namespace sluice {
 
-/// Writes a file, wholly or not at all, and makes the disk keep it: `fill` says what goes in. Throws OutputError.
+/// A checkpoint in memory: a state to go back to, or to write to a file.
+class CheckpointImage {
+  public:
+    /// `fill` says what goes in.
+    explicit CheckpointImage(const std::function<void(const StateWriter&)>& fill);
+
+    StateReader reader() const;
+    /// Writes a file, wholly or not at all, and makes the disk keep it. Throws OutputError.
+    void write(const std::filesystem::path& file);
+
+  private:
+    Hdf5File hdf_;
+};
+
+/// The same at once.
 void write_checkpoint(const std::filesystem::path& file, const std::function<void(const StateWriter&)>& fill);
 
 /// Why a file is no checkpoint that can be read; empty if it is one.

@@ -45,10 +45,10 @@ CheckpointStore::CheckpointStore(const std::filesystem::path& directory) : folde
 CheckpointStore::CheckpointStore(const std::filesystem::path& directory, const std::filesystem::path& resumed_from)
     : folder_(folder_of(directory)), kept_{resumed_from} {}
 
-void CheckpointStore::write(std::uint64_t step, const std::function<void(const StateWriter&)>& fill) {
+void CheckpointStore::write(std::uint64_t step, CheckpointImage& image) {
     make_folder(folder_);
     const std::filesystem::path file = folder_ / fmt::format("step_{:010}.h5", step);
-    write_checkpoint(file, fill);
+    image.write(file);
     std::erase(kept_, file);
     kept_.push_back(file);
     if (kept_.size() > checkpoints_kept) kept_.erase(kept_.begin());

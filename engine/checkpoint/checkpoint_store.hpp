@@ -22,7 +22,11 @@ class CheckpointStore {
 
     /// Writes a checkpoint, then removes all but it and the good one before. Throws OutputError; the old ones stay
     /// then.
-    void write(std::uint64_t step, const std::function<void(const StateWriter&)>& fill);
+    void write(std::uint64_t step, CheckpointImage& image);
+    void write(std::uint64_t step, const std::function<void(const StateWriter&)>& fill) {
+        CheckpointImage image(fill);
+        write(step, image);
+    }
 
   private:
     void remove_others() const;

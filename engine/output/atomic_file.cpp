@@ -110,6 +110,12 @@ void LineFile::sync() {
     if (::fsync(file_) != 0 && errno != EINVAL) fail(path_, "write", errno);
 }
 
+void LineFile::cut_back(std::uint64_t size) {
+    const long long kept = std::min(size_, static_cast<long long>(size));
+    if (::ftruncate(file_, kept) != 0) fail(path_, "cut", errno);
+    size_ = kept;
+}
+
 void LineFile::append(std::string line) {
     line += '\n';
     ssize_t n = -1;

@@ -35,6 +35,8 @@ class LineFile {
     void append(std::string line);
     /// Makes the disk take what was written. Throws OutputError.
     void sync();
+    /// Takes back what was appended beyond its first `size` bytes. Throws OutputError.
+    void cut_back(std::uint64_t size);
     /// Of the whole lines. [bytes]
     std::uint64_t size() const { return static_cast<std::uint64_t>(size_); }
 

@@ -166,8 +166,8 @@ void Hdf5Group::write_attribute(const std::string& name, Values values) const {
 Hdf5File::Hdf5File(std::size_t user_block)
     : file_(create_in_memory(user_block), H5Fclose, "make a file in memory"), user_block_(user_block) {}
 
-Hdf5Group Hdf5File::root() const {
-    return Hdf5Group({H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "open the root group"});
+Hdf5Handle Hdf5File::open_root() const {
+    return {H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "open the root group"};
 }
 
 std::string Hdf5File::bytes() const {

@@ -96,7 +96,8 @@ class Hdf5File {
   public:
     /// user_block: bytes in front that are left to the caller; 0, or a power of two from 512.
     explicit Hdf5File(std::size_t user_block = 0);
-    Hdf5Group root() const;
+    Hdf5Group root() const { return Hdf5Group(open_root()); }
+    Hdf5Handle open_root() const;
     /// The file's content so far; groups should be closed by then.
     std::string bytes() const;
     /// The same in place, with the user block in front, which may be written to. Valid until the file changes or goes.

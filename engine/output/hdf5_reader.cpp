@@ -25,6 +25,8 @@ Hdf5Source Hdf5Source::open(const std::filesystem::path& file) {
     return Hdf5Source(opened(H5Gopen2(opened_file.get(), "/", H5P_DEFAULT), H5Gclose, "the root group"));
 }
 
+Hdf5Source::Hdf5Source(const Hdf5File& file) : handle_(file.open_root()) {}
+
 Hdf5Source Hdf5Source::group(const std::string& name) const {
     return Hdf5Source(opened(H5Gopen2(handle_.get(), name.c_str(), H5P_DEFAULT), H5Gclose, name));
 }

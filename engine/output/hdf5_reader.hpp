@@ -14,6 +14,9 @@ class Hdf5Source {
     /// The root of a file, which stays open as long as a group of it is.
     static Hdf5Source open(const std::filesystem::path& file);
 
+    /// The root of a file that is being made in memory.
+    explicit Hdf5Source(const Hdf5File& file);
+
     Hdf5Source group(const std::string& name) const;
     /// Whether there is a group or a dataset of this name.
     bool has(const std::string& name) const;

@@ -42,6 +42,8 @@ class ProbeWriter {
     void write(const Simulation<Dim>& simulation);
     /// Makes the disk take what was written. Throws OutputError.
     void sync() { file_.sync(); }
+    /// Takes back the rows beyond its first `size` bytes. Throws OutputError.
+    void cut_back(std::uint64_t size) { file_.cut_back(size); }
     std::uint64_t size() const { return file_.size(); }  ///< of the table [bytes]
 
   private:

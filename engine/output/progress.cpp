@@ -81,6 +81,12 @@ void Progress::update(const ProgressState& state) {
     if (due) show(state);
 }
 
+void Progress::note(const std::string& text) {
+    std::fputs(fmt::format("{}{}\n", open_line_ ? "\r\033[K" : "", text).c_str(), stream_);
+    std::fflush(stream_);
+    open_line_ = false;
+}
+
 void Progress::finish(const ProgressState& state) {
     if (style_ == Style::bar || part_done(state) > shown_part_) show(state);
     if (open_line_) std::fputc('\n', stream_);

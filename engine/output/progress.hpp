@@ -35,6 +35,8 @@ class Progress {
 
     /// Called after each step; shows something only when it is time to.
     void update(const ProgressState& state);
+    /// Writes a line of its own.
+    void note(const std::string& text);
     /// Shows the last state and leaves the line.
     void finish(const ProgressState& state);
 

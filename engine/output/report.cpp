@@ -34,6 +34,19 @@ std::string mach_warning(double max_mach, const Method& method) {
         max_mach, method.mach_limit, 100 * max_mach * max_mach);
 }
 
+/// What the watch saw, but for Mach numbers, which have their own line.
+std::string warnings_text(const RunRecord& record) {
+    std::string text;
+    for (const Warning& w : record.warnings)
+        if (w.name != "mach")
+            text += fmt::format("warning: {}: at {} of {} looks, from t = {:.4g} s on, worst {:.3g} at {:.4g} s\n",
+                                w.name, w.looks, record.looks, w.first_time, w.worst, w.worst_time);
+    if (record.retry_count > 0)
+        text +=
+            fmt::format("warning: the run broke down {} times and went on with shorter steps\n", record.retry_count);
+    return text;
+}
+
 }  // namespace
 
 std::string memory_text(double bytes) {
@@ -63,7 +76,7 @@ std::string report_text(const Simulation<Dim>& simulation, const RunRecord& reco
     if (simulation.fluid().owned > 0)
         text += row("highest fluid speed",
                     fmt::format("{:.4g} m/s, Mach {:.3g}", simulation.max_speed(), simulation.max_mach()));
-    return text + mach_warning(simulation.max_mach(), simulation.scene().method);
+    return text + mach_warning(simulation.max_mach(), simulation.scene().method) + warnings_text(record);
 }
 
 template std::string report_text<2>(const Simulation<2>&, const RunRecord&);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/simulation.hpp"
+#include "engine/watch/warning.hpp"
 
 namespace sluice {
 
@@ -33,6 +34,12 @@ struct RunRecord {
     double checkpoint_seconds = 0;          ///< wall time in writing checkpoints; not part of the output's
     std::uint64_t checkpoints = 0;          ///< written
     std::vector<std::uint64_t> resumed_at;  ///< steps after which the run was gone on with
+    std::uint64_t looks = 0;                ///< at the state, by the watch
+    std::uint64_t snapshots = 0;            ///< states kept in memory to go back to
+    double watch_seconds = 0;               ///< wall time in looks at the state and in snapshots
+    std::vector<Retry> retries;             ///< since the program was started
+    std::uint64_t retry_count = 0;          ///< of the whole run
+    std::vector<Warning> warnings;          ///< what looked wrong
     EnergyBalance initial_energy;
     std::vector<std::string> probe_columns;
     std::vector<double> probe_values;  ///< latest
@@ -43,7 +50,7 @@ struct RunRecord {
         visit("wall_seconds", wall_seconds), visit("cpu_seconds", cpu_seconds), visit("setup_seconds", setup_seconds);
         visit("step_seconds", step_seconds), visit("output_seconds", output_seconds);
         visit("checkpoint_seconds", checkpoint_seconds), visit("checkpoints", checkpoints);
-        visit("resumed_at", resumed_at);
+        visit("resumed_at", resumed_at), visit("retry_count", retry_count);
     }
 
     /// `count` per second of stepping; 0 before the first step.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -76,6 +77,26 @@ void add_quality(Json& json, const Simulation<Dim>& simulation, const RunRecord&
                       {"balance", now.total() - record.initial_energy.total()}};
 }
 
+void add_watch(Json& json, const Scene& scene, const RunRecord& record) {
+    constexpr std::array<std::string_view, 3> policies{"stop", "retry", "warn"};
+    json = {{"policy", policies[static_cast<std::size_t>(scene.watch)]},
+            {"looks", record.looks},
+            {"snapshots", record.snapshots},
+            {"seconds", record.watch_seconds},
+            {"retries", record.retry_count},
+            {"retried", Json::array()},
+            {"warnings", Json::array()}};
+    for (const Retry& r : record.retries)
+        json["retried"].push_back({{"step", r.step}, {"time", r.time}, {"message", r.message}});
+    for (const Warning& w : record.warnings)
+        json["warnings"].push_back({{"name", w.name},
+                                    {"looks", w.looks},
+                                    {"first_time", w.first_time},
+                                    {"worst", w.worst},
+                                    {"worst_time", w.worst_time},
+                                    {"message", w.message}});
+}
+
 void add_effects(Json& json, const Effects& effects) {
     for (const EffectChoice& choice : effects.all())
         json[std::string(choice.info.key)] = {{"on", choice.on},
@@ -111,6 +132,7 @@ std::string summary_text(const Simulation<Dim>& simulation, const RunRecord& rec
     add_progress(json, simulation, record);
     add_cost(json, simulation, record);
     add_quality(json, simulation, record);
+    add_watch(json["watch"], simulation.scene(), record);
     add_effects(json["effects"], simulation.effects());
     add_probes(json["probes"], record);
     // A title in a broken encoding must not cost the run its summary.

@@ -67,6 +67,15 @@ void read_output(TomlTable& root) {
     table.finish();
 }
 
+void read_watch(TomlTable& root) {
+    const TomlValue value = root.get("watch");
+    if (!value) return;
+    TomlTable table(value);
+    if (const auto v = table.get("policy"))
+        root.scene().watch = static_cast<WatchPolicy>(v.choice({"stop", "retry", "warn"}));
+    table.finish();
+}
+
 void read_scene(TomlTable& root) {
     Scene& scene = root.scene();
     if (const auto v = root.get("title")) scene.title = v.text();
@@ -81,6 +90,7 @@ void read_scene(TomlTable& root) {
     read_bodies(root);
     read_walls(root);
     read_probes(root);
+    read_watch(root);
     read_output(root);
     read_references(root);
     root.finish();

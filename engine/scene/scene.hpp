@@ -128,6 +128,10 @@ struct Method {
     MediumMethod solid;
 };
 
+/// What to do when the computation breaks down: stop; go back to the last good state and on with half the step; or, as
+/// long as numbers are finite, go on.
+enum class WatchPolicy { stop, retry, warn };
+
 /// What a scene may say of an effect in [effects].
 enum class Switch { automatic, on, off };
 
@@ -163,6 +167,7 @@ struct Scene {
     std::vector<Reference> references;
     Method method;
     std::map<std::string, Switch> switches;  ///< of effects, by their keys; absent = automatic
+    WatchPolicy watch = WatchPolicy::stop;
     OutputTimes output;
     KeyLines lines;
 

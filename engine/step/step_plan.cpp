@@ -52,14 +52,14 @@ StepPlanner::StepPlanner(const Scene& scene, const Effects& effects, std::vector
       stated_(scene.method.time_step.value_or(0)) {}
 
 StepPlan StepPlanner::next(double speed, double acceleration) {
-    double fluid = limits_.front().dt;
+    double fluid = share_ * limits_.front().dt;
     if (adaptive_) {
         const CourantLimit& limit = limits_.front();
         fluid *= limit.sound_speed / (limit.sound_speed + speed);
-        if (acceleration > 0) fluid = std::min(fluid, 0.25 * std::sqrt(limit.h / acceleration));
+        if (acceleration > 0) fluid = std::min(fluid, share_ * 0.25 * std::sqrt(limit.h / acceleration));
     }
-    const double solid = limits_.back().dt, least = std::min(fluid, solid);
-    double dt = stated_ > 0 ? stated_ : multi_rate_ ? fluid : least;
+    const double solid = share_ * limits_.back().dt, least = std::min(fluid, solid);
+    double dt = stated_ > 0 ? share_ * stated_ : multi_rate_ ? fluid : least;
     if (adaptive_ && last_ > 0) dt = std::min(dt, 1.1 * last_);
     last_ = dt;
     if (!multi_rate_) return {dt};

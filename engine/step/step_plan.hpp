@@ -58,14 +58,17 @@ class StepPlanner {
 
     /// speed, acceleration: the highest of the fluid [m/s, m/s²]
     StepPlan next(double speed, double acceleration);
-    bool adaptive() const { return adaptive_; }
+    /// Steps are so much of what they would be.
+    void set_share(double share) { share_ = share, uneven_ = uneven_ || share != 1; }
+    /// Whether steps are not all alike.
+    bool adaptive() const { return adaptive_ || uneven_; }
     const std::vector<CourantLimit>& limits() const { return limits_; }
     std::vector<CourantLimit>& limits() { return limits_; }
 
     /// visit(name, member) for what changes during a run.
     template <class Visit>
     void visit_state(Visit&& visit) {
-        visit("last", last_);
+        visit("last", last_), visit("share", share_), visit("uneven", uneven_);
     }
 
   private:
@@ -73,6 +76,8 @@ class StepPlanner {
     bool adaptive_, multi_rate_;
     double stated_ = 0;  ///< the scene's own step; 0 = none [s]
     double last_ = 0;    ///< [s]
+    double share_ = 1;   ///< of the step that it would be
+    bool uneven_ = false;
 };
 
 }  // namespace sluice

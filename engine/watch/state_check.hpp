@@ -9,4 +9,8 @@ namespace sluice {
 template <int Dim>
 void check_state(const Simulation<Dim>& simulation);
 
+/// The same only for what is not finite.
+template <int Dim>
+void check_finite(const Simulation<Dim>& simulation);
+
 }  // namespace sluice
