@@ -1,46 +1,69 @@
-"""Cases with an analytic solution: runs at several spacings, errors, and how fast they fall."""
-import argparse
+"""Cases with a solution to be wrong by: runs at several spacings, errors, and how fast they fall."""
 import math
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
 
-from lib import runs
-from lib.markdown import number, table
-from lib.run_output import RunError, RunOutput
+from lib import case, runs
+from lib.markdown import number
+from lib.run_output import RunOutput
+from lib.verdict import Verdict
 
 SPACING = "method.spacing"
 FLOOR = 0.005  # what the sums over neighbours leave at a fixed h/d, however small d is; README.md has the figures
 
 
-@dataclass
-class Case:
+@dataclass(frozen=True)
+class Case(case.Named):
     title: str
     folder: Path            # with scene.toml
+    proves: str
+    against: str
     across: tuple           # what counts the spacings, and the length that it divides: ("L/d", 1.0) [m]
     counts: tuple           # particles across, coarse to fine
-    errors: tuple           # names of relative errors; each gets an order
+    errors: tuple           # names of relative errors, the main one first; each gets an order
     others: tuple           # (name, digits) of what is shown beside them
     measure: Callable       # RunOutput -> {name: value}
     judge: Callable         # Study -> Verdict
-    draw: Callable          # Study, path
+    draw: Callable          # Study, path of an SVG
+    caption: str            # of what is drawn
+    quick_counts: tuple
+    quick_limits: dict      # name of an error or of what is beside it -> the most that it may be at quick_counts[-1]
+    part: str = ""
+
+    def plan(self, quick):
+        return [case.Run(f"across_{n}", {SPACING: f"{self.across[1] / n:.10g}"}) for n in self.counts_for(quick)]
+
+    def counts_for(self, quick):
+        return self.quick_counts if quick else self.counts
+
+    def study(self, done):
+        study = Study(self, self.counts_for(done.quick), list(done.runs.values()))
+        verdict = self.judge_quick(study) if done.quick else self.judge(study)
+        picture = done.folder / "figure.svg"
+        self.draw(study, picture)
+        return case.Result(
+            verdict, errors=[(name, f"{percent(study.finest[name])} %") for name in self.errors],
+            tables=[study.table()], figures=[case.Figure(picture, self.caption)],
+            convergence=[case.Errors(name, list(study.counts), [abs(value[name]) for value in study.values])
+                         for name in self.errors])
+
+    def judge_quick(self, study):
+        verdict = Verdict()
+        for name, limit in self.quick_limits.items():
+            if name in self.errors:
+                verdict.limit(f"{name}, {self.across[0]} = {study.counts[-1]}", 100 * study.finest[name], "%", high=100 * limit)
+            else:
+                verdict.limit(f"{name}, {self.across[0]} = {study.counts[-1]}", study.finest[name], "", high=limit)
+        return verdict
 
 
 class Study:
-    """Runs of a case's scene at its spacings, each measured to a dictionary of numbers."""
+    """Runs of a case at its spacings, each measured to a dictionary of numbers."""
 
-    def __init__(self, case, folder, sluice=runs.SLUICE, settings=None, threads="1", counts=None):
-        self.case, self.counts, self.values, self.runs = case, counts or case.counts, [], []
-        for count in self.counts:
-            at = Path(folder) / f"across_{count}"
-            changes = {SPACING: f"{case.across[1] / count:.10g}", **(settings or {})}
-            runs.run(case.folder / "scene.toml", at, changes, sluice, ["--threads", threads])
-            run = RunOutput(at)
-            if run.summary["status"] != "done":
-                raise RunError(f"{at}: {run.summary['status']} at t = {run.summary['simulated_time']:.3g} s")
-            self.runs.append(run)
-            self.values.append({**case.measure(run), "CPU [s]": run.summary["cpu_seconds"]})
+    def __init__(self, case_, counts, outputs):
+        self.case, self.counts, self.runs = case_, counts, outputs
+        self.values = [{**case_.measure(run), "CPU [s]": run.summary["cpu_seconds"]} for run in outputs]
 
     @property
     def finest(self):
@@ -63,7 +86,7 @@ class Study:
         else:
             verdict.limit(f"{error}: order, last", self.order(error), "", low=1)
 
-    def markdown(self):
+    def table(self):
         header = [self.case.across[0]]
         for error in self.case.errors:
             header += [f"{error} [%]", "order"]
@@ -74,41 +97,19 @@ class Study:
             for error in self.case.errors:
                 row += [percent(value[error]), number(self.order(error, i), 2)]
             rows.append(row + [number(value[name], digits) for name, digits in (*self.case.others, ("CPU [s]", 1))])
-        return table(header, rows)
+        return case.Table("Errors", header, rows, "Order: between a row's spacing and the one above it.")
+
+
+def study_of(case_, folder, settings, options, counts):
+    """The case's scene with changed settings, at these counts; for the scripts that vary more than the spacing."""
+    outputs = []
+    for count in counts:
+        changes = {SPACING: f"{case_.across[1] / count:.10g}", **settings}
+        runs.run(case_.folder / "scene.toml", Path(folder) / f"across_{count}", changes, options)
+        outputs.append(RunOutput(Path(folder) / f"across_{count}"))
+    return Study(case_, counts, outputs)
 
 
 def percent(value):
     """A share in percent, with three digits."""
     return "–" if value is None or value != value else f"{100 * value:.3g}"
-
-
-def arguments(description, folder):
-    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", default=folder, type=Path, help="folder of the runs [%(default)s]")
-    parser.add_argument("--sluice", default=runs.SLUICE, type=Path, help="the program to run")
-    parser.add_argument("--threads", default="1")
-    return parser
-
-
-def run_case(case, options, settings=None):
-    """Runs, prints and draws a case. Returns its study and its verdict."""
-    study = Study(case, options.folder, options.sluice, settings, options.threads)
-    print(f"\n{study.markdown()}")
-    verdict = case.judge(study)
-    verdict.print_table()
-    case.draw(study, options.folder / "figure.png")
-    print(f"Picture: {options.folder / 'figure.png'}")
-    return study, verdict
-
-
-def main(case):
-    """The command of one case: exit code 0 if its criteria are met, 1 if not, 2 if a run failed."""
-    parser = arguments(sys.modules["__main__"].__doc__, runs.ROOT / "results" / case.folder.name)
-    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value of the scene")
-    options = parser.parse_args()
-    try:
-        _, verdict = run_case(case, options, dict(change.split("=", 1) for change in options.set))
-    except RunError as error:
-        print(f"{case.title}: cannot compare: {error}", file=sys.stderr)
-        return 2
-    return verdict.close(case.title)
