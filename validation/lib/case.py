@@ -7,6 +7,7 @@ together; a case only reads what they left.
 import argparse
 import json
 import os
+import shutil
 import sys
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -47,8 +48,9 @@ class Table:
 
 @dataclass(frozen=True)
 class Figure:
-    path: Path    # SVG (the book shows it in light and dark), or PNG (on white)
-    caption: str  # what is seen; the reference and its uncertainty
+    path: Path        # SVG (the book shows it in light and dark), or PNG (on white)
+    caption: str      # what is seen; the reference and its uncertainty
+    stored: str = ""  # name under which it is kept beside the scene, for a README to show
 
 
 @dataclass(frozen=True)
@@ -150,6 +152,14 @@ def markdown(case, result):
     return "\n\n".join(part.rstrip("\n") for part in parts) + "\n"
 
 
+def store(case, result):
+    """Keeps the tables, and the figures that are to be, beside the scene."""
+    case.results_file.write_text(markdown(case, result))
+    for figure in result.figures:
+        if figure.stored:
+            shutil.copy(figure.path, case.folder / figure.stored)
+
+
 def print_result(case, result):
     for t in result.tables:
         print(f"\n{t.title}\n{table(t.header, t.rows)}" + (f"{t.note}\n" if t.note else ""))
@@ -178,6 +188,6 @@ def main(case):
         return 2
     print_result(case, result)
     if options.store:
-        case.results_file.write_text(markdown(case, result))
+        store(case, result)
         print(f"Tables: {case.results_file}")
     return result.verdict.close(case.title)

@@ -102,10 +102,10 @@ class Study:
 
 def study_of(case_, folder, settings, options, counts):
     """The case's scene with changed settings, at these counts; for the scripts that vary more than the spacing."""
-    outputs = []
+    outputs, words = [], ["--threads", options.threads]
     for count in counts:
         changes = {SPACING: f"{case_.across[1] / count:.10g}", **settings}
-        runs.run(case_.folder / "scene.toml", Path(folder) / f"across_{count}", changes, options)
+        runs.run(case_.folder / "scene.toml", Path(folder) / f"across_{count}", changes, options.sluice, words)
         outputs.append(RunOutput(Path(folder) / f"across_{count}"))
     return Study(case_, counts, outputs)
 

@@ -1,4 +1,5 @@
 """Starting `sluice run` for a list of settings, some at a time; what is done already is not run again."""
+import argparse
 import json
 import re
 import shlex
@@ -109,3 +110,12 @@ def _run_unless_done(job, sluice, words, again, watch):
     watch.ended(job)
     if process.returncode not in (0, FAILED_NUMERICALLY):
         raise RunError(f"{shlex.join(command)}\n{''.join(said)}")
+
+
+def sweep_parser(description, name):
+    """Of a script that runs a list of settings by itself: --sluice, --threads, and the folder of its runs."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", default=ROOT / "results" / name, type=Path, help="folder of the runs [%(default)s]")
+    parser.add_argument("--sluice", default=SLUICE, type=Path, help="the program to run [%(default)s]")
+    parser.add_argument("--threads", default="1")
+    return parser

@@ -6,7 +6,6 @@ in a failure or has ten times its energy after STEPS steps. (Stable runs gain a 
 kick-drift-kick keeps differs from the energy by a part (omega dt/2)^2, which is near 1 for the shortest waves.) Writes
 results_stability.md beside this file.
 """
-import argparse
 import json
 import sys
 from pathlib import Path
@@ -34,11 +33,7 @@ LAW = {"materials.elastic.model": "st-venant-kirchhoff", "method.solid.artificia
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("folder", nargs="?", default=runs.ROOT / "results" / "plate_stability", type=Path)
-    arguments.add_argument("--sluice", default=runs.SLUICE, type=Path, help="the program to run")
-    arguments.add_argument("--threads", default="1")
-    options = arguments.parse_args()
+    options = runs.sweep_parser(__doc__, "plate_stability").parse_args()
     parts = ["# Oscillating plate: stability and energy\n\nWritten by `validation/oscillating_plate/stability.py`; Δt = "
              "courant · min(h, 1.2 d)/c with c = √((λ + 2μ)/ρ), ν = 0.4, kick-drift-kick.\n",
              "## Largest stable method.courant\n\nBetween the two numbers: the first ran, the second did not.\n",
