@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parent))
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
 
 import curves  # noqa: E402
 import tables  # noqa: E402
@@ -32,18 +32,18 @@ def main():
     for across in ACROSS:
         folder = options.folder / f"across_{across}"
         settings = {"method.spacing": f"{THICKNESS / across:.10g}"}
-        runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
+        runs.run(FOLDER / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
         results.append((across, RunOutput(folder)))
     variants = [(precision, rate, RunOutput(variant(options, precision, rate))) for precision, rate in VARIANTS]
     text = report(results, variants, reference, mean)
-    (CASE / "sweep.md").write_text(text)
+    (FOLDER / "sweep.md").write_text(text)
     print(text)
 
 
 def variant(options, precision, rate):
     folder = options.folder / f"{precision}_{rate}"
     settings = {"method.precision": precision, "method.time_stepping": rate}
-    runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
+    runs.run(FOLDER / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
     return folder
 
 

@@ -13,6 +13,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Callable
 
+import numpy as np
+
 from lib import runs
 from lib.markdown import table
 from lib.run_output import RunError, RunOutput
@@ -20,6 +22,7 @@ from lib.verdict import Verdict
 
 VALIDATION = Path(__file__).resolve().parents[1]
 RESULTS = runs.ROOT / "results"
+CHAPTER = "chapter.json"
 
 
 @dataclass(frozen=True)
@@ -109,12 +112,33 @@ def add_options(parser):
     parser.add_argument("--again", action="store_true", help="run also what is done")
 
 
+def jobs(case, folder, quick, changes=None):
+    """What is to be run for a case; changes: of every scene, beyond those of the plan."""
+    return [runs.Job(case.folder / run.scene, folder / run.name, {**run.settings, **(changes or {})})
+            for run in case.plan(quick)]
+
+
 def finish(case, folder, quick):
     """Reads what a case's runs left, judges it, and keeps the chapter as JSON. RunError if a run failed."""
     done = {run.name: _complete(folder / run.name) for run in case.plan(quick)}
     result = case.study(Finished(done, folder, quick))
-    (folder / "result.json").write_text(json.dumps(chapter(case, result, done, quick), indent=1, default=str))
+    text = asdict(result)
+    text["verdict"] = {"passed": bool(result.verdict.passed), "rows": result.verdict.rows}
+    for figure in text["figures"]:
+        figure["path"] = figure["path"].relative_to(folder)
+    write_chapter(case, folder, quick, text | {"runs": [run_facts(name, run) for name, run in done.items()]})
     return result
+
+
+def write_chapter(case, folder, quick, facts):
+    """All that the book says of a case, as plain data."""
+    folder.mkdir(parents=True, exist_ok=True)
+    facts = {"name": case.name, "title": case.title, "proves": case.proves, "against": case.against, "quick": quick} | facts
+    (folder / CHAPTER).write_text(json.dumps(facts, indent=1, default=_plain))
+
+
+def _plain(value):
+    return value.item() if isinstance(value, np.generic) else str(value)
 
 
 def _complete(folder):
@@ -124,18 +148,9 @@ def _complete(folder):
     return run
 
 
-def chapter(case, result, done, quick):
-    """All that the book's page says of a case, as plain data."""
-    text = asdict(result)
-    text["verdict"] = {"passed": result.verdict.passed, "rows": result.verdict.rows}
-    return text | {
-        "name": case.name, "title": case.title, "proves": case.proves, "against": case.against, "quick": quick,
-        "runs": [run_facts(name, run) for name, run in done.items()]}
-
-
 def run_facts(name, run):
     s = run.summary
-    return {"name": name, "folder": str(run.folder), "cpu_seconds": s["cpu_seconds"], "wall_seconds": s["wall_seconds"],
+    return {"name": name, "cpu_seconds": s["cpu_seconds"], "wall_seconds": s["wall_seconds"], "version": s["version"],
             "threads": s["threads"], "steps": s["steps"], "particles": sum(s["particles"][k] for k in ("fluid", "solid", "wall")),
             "precision": s["precision"], "instruction_set": s["instruction_set"], "momentum_residual": s["momentum_residual"],
             "finished": (run.folder / "summary.json").stat().st_mtime, "effects": s["effects"]}
@@ -179,9 +194,8 @@ def main(case):
     options = parser.parse_args()
     folder = options.folder or default_folder(options.quick) / case.name
     changes = dict(change.split("=", 1) for change in options.set)
-    wanted = [runs.Job(case.folder / run.scene, folder / run.name, {**run.settings, **changes}) for run in case.plan(options.quick)]
     try:
-        runs.run_all(wanted, options)
+        runs.run_all(jobs(case, folder, options.quick, changes), options)
         result = finish(case, folder, options.quick)
     except RunError as error:
         print(f"{case.title}: cannot compare: {error}", file=sys.stderr)

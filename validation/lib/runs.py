@@ -5,6 +5,7 @@ import re
 import shlex
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -76,20 +77,34 @@ def run(scene, folder, settings, sluice=SLUICE, options=()):
         raise SystemExit(str(error)) from None
 
 
-def run_all(jobs, options, watch=None):
-    """Runs what is not done, options.jobs at a time, each with options.threads threads. If one cannot be run the others
-    are run all the same, and then RunError tells."""
-    watch = watch or Watch()
+@contextmanager
+def workers(count):
+    """Threads for runs. Ctrl-C drops the waiting ones; those that go on are told by the same signal, and stop with a
+    checkpoint."""
+    pool = ThreadPoolExecutor(max(1, count))
+    try:
+        yield pool
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def submit(pool, jobs, options, watch):
+    """Lets the pool run what is not done, each with options.threads threads."""
     words = ["--threads", str(options.threads)]
-    with ThreadPoolExecutor(max(1, options.jobs)) as pool:
-        waiting = [pool.submit(_run_unless_done, job, options.sluice, words, options.again, watch) for job in jobs]
-        try:
-            failed = [str(error) for error in (one.exception() for one in waiting) if error]
-        except KeyboardInterrupt:  # the runs are told by the same signal, and stop with a checkpoint
-            pool.shutdown(cancel_futures=True)
-            raise
+    return [pool.submit(_run_unless_done, job, options.sluice, words, options.again, watch) for job in jobs]
+
+
+def wait_for(submitted):
+    """Until all have ended; then RunError if one could not be run."""
+    failed = [str(error) for error in (one.exception() for one in submitted) if error]
     if failed:
         raise RunError("\n".join(failed))
+
+
+def run_all(jobs, options):
+    """Runs what is not done, options.jobs at a time."""
+    with workers(options.jobs) as pool:
+        wait_for(submit(pool, jobs, options, Watch()))
 
 
 def _run_unless_done(job, sluice, words, again, watch):

@@ -11,7 +11,7 @@ BLACK, ORANGE, SKY, GREEN, YELLOW, BLUE, VERMILION, PURPLE = (
     "#000000", "#e69f00", "#56b4e9", "#009e73", "#f0e442", "#0072b2", "#d55e00", "#cc79a7")
 WALL_GREY = "#8a8a8a"
 COARSE_TO_FINE = (GREEN, ORANGE, SKY, BLUE)  # of up to four spacings; the finest is always blue
-MANY = 500  # dots: from here on an SVG holds them as a picture, not one by one
+MANY = 200  # dots: from here on an SVG holds them as a picture, not one by one
 
 
 def shortened(name, start, end):

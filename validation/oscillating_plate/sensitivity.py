@@ -6,8 +6,8 @@ Writes sensitivity.md beside this file. Runs that are done are not run again.
 import sys
 from pathlib import Path
 
-CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parent))
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
 
 from lib import runs  # noqa: E402
 from lib.curves import read_reference  # noqa: E402
@@ -34,7 +34,7 @@ GROUPS = (
 
 def main():
     options = runs.sweep_parser(__doc__, "oscillating_plate_sensitivity").parse_args()
-    reference = read_reference(CASE / "reference.csv")
+    reference = read_reference(FOLDER / "reference.csv")
     parts = ["# Oscillating plate: sensitivities\n\nWritten by `validation/oscillating_plate/sensitivity.py`. First oscillation "
              "of the free end; the paper does not say which spacing and which h its values belong to. With e = 0.3 and "
              "hardly any artificial viscosity the plate's root breaks up, at the same time for any time step (Courant "
@@ -45,7 +45,7 @@ def main():
                  for name, a, t in zip(reference["source"], reference["amplitude"], reference["period"])]
         parts.append(f"## {title}\n\n" + table(["", "across", "A/L", "first trough /L", "T c0/L", "CPU [s]"], rows))
     text = "\n".join(parts)
-    (CASE / "sensitivity.md").write_text(text)
+    (FOLDER / "sensitivity.md").write_text(text)
     print(text)
 
 
@@ -54,7 +54,7 @@ def row(options, across, changes):
     name = "_".join([f"across_{across}"] + [f"{SHORT[k].replace('/', '')}_{v}" for k, v in changes.items()])
     settings = {SPACING: f"{HEIGHT / across:.10g}", **changes, "output.frame_interval": 0}
     folder = options.folder / name
-    runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
+    runs.run(FOLDER / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
     run = RunOutput(folder)
     if run.summary["status"] != "done":
         return [label, across, f"breaks down at t = {run.summary['simulated_time']:.3f} s", "–", "–", "–"]
