@@ -108,7 +108,7 @@ def draw(done, across, exact, path):
     figure, axes = plt.subplots(2, 1, figsize=(6.3, 4.6), sharex=True, layout="constrained")
     for axis, load in zip(axes, LOADS):
         beam = exact[load]["reissner_y"]
-        axis.axhspan(0.99 * beam, 1.01 * beam, color="0.86", linewidth=0)
+        axis.axhspan(0.99 * beam, 1.01 * beam, color="0.8", linewidth=0)
         axis.axhline(beam, color=style.BLACK, linewidth=0.8, linestyle=(0, (5, 2)))
         for n, colour in zip(across, style.COARSE_TO_FINE[-len(across):]):
             run = done.runs[f"{load}_{n}"]

@@ -96,7 +96,7 @@ class Case(Named):
     against: str
     plan: Callable   # quick -> list of Run; quick: seconds of CPU time, for the tests
     study: Callable  # Finished -> Result; quick runs have criteria of their own
-    part: str = ""
+    part: str = ""      # of a folder that has several cases: the name of the script, compare.py having none
 
 
 def default_folder(quick):

@@ -35,4 +35,7 @@ def load(path):
         for name, other in list(sys.modules.items()):
             if str(getattr(other, "__file__", None) or "").startswith(f"{path.parent}/"):
                 del sys.modules[name]
+    wanted = path.parent.name if path.stem == "compare" else f"{path.parent.name}_{path.stem}"
+    if module.CASE.name != wanted:
+        raise ValueError(f"{path}: found the case {module.CASE.name}, expected {wanted}: its part is the script's name")
     return module.CASE

@@ -56,10 +56,11 @@ def overview(cases, chapters):
     rows = []
     for name, case in cases.items():
         chapter = chapters.get(name)
-        error = "; ".join(f"{what} {value}" for what, value in chapter.get("errors", ())[:1]) if chapter else ""
+        error = "".join(f'<b>{esc(value)}</b> <span class="soft">{esc(what)}</span>'
+                        for what, value in chapter.get("errors", ())[:1]) if chapter else ""
         cpu = f"{cpu_seconds(chapter):.1f} s" if chapter and "runs" in chapter else "–"
         rows.append(f'<tr><td><a href="#{name}">{esc(case.title)}</a></td><td>{chip(chapter)}</td>'
-                    f'<td>{esc(error) or "–"}</td><td>{esc(case.against)}</td><td class="number" data-name="CPU">{cpu}</td></tr>')
+                    f'<td>{error or "–"}</td><td>{esc(case.against)}</td><td class="number" data-name="CPU">{cpu}</td></tr>')
     return ('<div class="scroll"><table class="words cases"><thead><tr><th>case</th><th>verdict</th><th>main error</th>'
             f'<th>against</th><th class="number">CPU time</th></tr></thead><tbody>{"".join(rows)}</tbody></table></div>')
 
@@ -76,20 +77,20 @@ def section(case, chapter, folder, built):
         return f'{title}<p class="soft">Not run yet.</p></section>'
     if "failed" in chapter:
         return f'{title}<pre>{esc(chapter["failed"])}</pre></section>'
-    parts = [title, cost_line(chapter, built)]
+    parts = [title, cost_line(case, chapter, built)]
     drawn = [figure(f, folder, f"{case.name}-{i}") for i, f in enumerate(chapter["figures"])]
-    parts += drawn[:1] + [errors_table(chapter), criteria(chapter)] + drawn[1:]
+    parts += drawn[:1] + [f'<div class="pair"><div>{errors_table(chapter)}</div><div>{criteria(chapter)}</div></div>'] + drawn[1:]
     parts += [table(t) for t in chapter["tables"]]
     parts += [convergence(chapter, case, folder), peers(case, chapter), precision_diagram(case), effects(chapter), run_table(chapter)]
     return "".join(parts) + "</section>"
 
 
-def cost_line(chapter, built):
+def cost_line(case, chapter, built):
     older = any(run["finished"] < built for run in chapter["runs"])
     runs = len(chapter["runs"])
     return (f'<p class="soft">{cpu_seconds(chapter):.1f} s of CPU time in {runs} run{"s" * (runs > 1)}, finished '
             f'{time.strftime("%-d %B %Y, %H:%M", time.localtime(max(run["finished"] for run in chapter["runs"])))}'
-            f'{", before the program was built anew" if older else ""}.</p>')
+            f'{", before the program was built anew" if older else ""}. <code>validation/{case.folder.name}</code></p>')
 
 
 def figure(f, folder, key):
