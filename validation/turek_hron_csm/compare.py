@@ -74,13 +74,15 @@ def measure(run, load):
 def study(done):
     reference = read_reference(FOLDER / "reference.csv")
     across = QUICK_ACROSS if done.quick else ACROSS
-    verdict, errors, tables, lines = Verdict(), [], [], []
+    verdict, errors, tables, lines, measures = Verdict(), [], [], [], {}
     for k, load in enumerate(reference["case"]):
         runs = [done.runs[f"{load}_{n}"] for n in across]
         found = [measure(run, load) for run in runs]
         published = {c: reference[c][k] for c in COLUMNS if np.isfinite(reference[c][k])}
         tables.append(load_table(load, across, runs, found, published))
         (judge_quick if done.quick else judge)(verdict, load, across, found, published)
+        if load == "csm3":
+            measures = {f"CSM3 {u}": f"{found[-1][u]:.2f} ± {found[-1][f'{u}_amplitude']:.2f} mm" for u in ("u_y", "u_x")}
         for column in ("u_y", "u_y_amplitude", "frequency"):
             if column in published:
                 off = [f[column] / published[column] - 1 for f in found]
@@ -89,7 +91,8 @@ def study(done):
     picture = done.folder / "figure.svg"
     draw(done.runs, across, picture)
     return Result(verdict, errors, tables, [Figure(picture, "Point A against the published values (dashed: at rest, and for "
-                                                            "CSM3 mean ± amplitude; they are given without uncertainty).")], lines)
+                                                            "CSM3 mean ± amplitude; they are given without uncertainty).")],
+                  lines, measures)
 
 
 def limit_of(across, found, column):
