@@ -48,10 +48,13 @@ def main():
             for name, case in wanted.items():
                 chapters[name] = judge(case, submitted[name], folder / name, options.quick)
                 watch.say(told(case, chapters[name]))
-                page.write(folder / "book.html", cases, chapters, folder, options.sluice.stat().st_mtime, options.quick)
+                page.write(folder / "book.html", cases, chapters, folder, runs.program_hash(options.sluice), options.quick)
     except KeyboardInterrupt:
         watch.say("Stopped; what is done is kept, the same command goes on from here.")
         return 130
+    others = sum(run["program"] != runs.program_hash(options.sluice) for name in wanted for run in chapters[name].get("runs", ()))
+    if others:
+        print(f"{others} runs are of another build of the program; --again runs all anew")
     fresh = {name: chapters[name] for name in wanted if "failed" not in chapters[name]}
     if not options.quick:
         readme.update(cases, found.folders(), fresh)

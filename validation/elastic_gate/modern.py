@@ -33,6 +33,7 @@ NEAR_GATE = 3e-3    # m: water in front of the gate, where the particles' scatte
 HEIGHTS = (0.015, 0.06)  # m above the floor: neither the jet nor the surface
 FIT = 2.5           # d: radius of the fit that stands for a smooth pressure
 PEAKS = (37.8, 43.5)  # mm: the converged codes have 38.8 to 42.5 (reference.csv); 1 mm for reading their curves off
+QUICK_PEAKS = (36.8, 44.5)  # mm: four across is 1 mm from converged, either way
 NEAR = 3.0          # mm RMS to the nearest two of them, which are 1.2 mm from each other
 PEAK_CHANGE = 1.0   # mm from the second-finest to the finest spacing, less than the codes differ by
 ENERGY_LOST = 0.03  # of the energy at the start: the paper's scheme loses a third
@@ -88,7 +89,7 @@ def judge(results, rows):
 
 def judge_quick(output):
     verdict = Verdict()
-    verdict.limit("peak of x, 4 across", peak(output.time, 1e3 * output.probe("free_end.x"))[1], "mm", *PEAKS)
+    verdict.limit("peak of x, 4 across", peak(output.time, 1e3 * output.probe("free_end.x"))[1], "mm", *QUICK_PEAKS)
     judge_run(verdict, output)
     return verdict
 

@@ -153,7 +153,7 @@ def run_facts(name, run):
     return {"name": name, "cpu_seconds": s["cpu_seconds"], "wall_seconds": s["wall_seconds"], "version": s["version"],
             "threads": s["threads"], "steps": s["steps"], "particles": sum(s["particles"][k] for k in ("fluid", "solid", "wall")),
             "precision": s["precision"], "instruction_set": s["instruction_set"], "momentum_residual": s["momentum_residual"],
-            "finished": (run.folder / "summary.json").stat().st_mtime, "effects": s["effects"]}
+            "program": runs.made_by(run.folder), "finished": (run.folder / "summary.json").stat().st_mtime, "effects": s["effects"]}
 
 
 def markdown(case, result):

@@ -1,5 +1,6 @@
 """Starting `sluice run` for a list of settings, some at a time; what is done already is not run again."""
 import argparse
+import hashlib
 import json
 import re
 import shlex
@@ -13,6 +14,7 @@ from lib.run_output import RunError
 
 ROOT = Path(__file__).resolve().parents[2]
 SLUICE = ROOT / "build" / "bin" / "sluice"
+PROGRAM = "program.txt"  # beside a run's summary: program_hash of what made it
 FAILED_NUMERICALLY = 1  # exit code: that is a result, which the run's summary tells
 
 
@@ -53,6 +55,17 @@ class Watch:
 
     def ended(self, job):
         pass
+
+
+def program_hash(sluice):
+    """To tell runs of one build from those of another; they count as done all the same."""
+    return hashlib.sha256(Path(sluice).read_bytes()).hexdigest()[:16]
+
+
+def made_by(folder):
+    """The program_hash that a run's folder was made by; empty if it does not say."""
+    path = folder / PROGRAM
+    return path.read_text().strip() if path.exists() else ""
 
 
 def scene_hash(job, sluice=SLUICE):
@@ -113,6 +126,7 @@ def _run_unless_done(job, sluice, words, again, watch):
         return
     watch.started(job)
     (job.folder / "summary.json").unlink(missing_ok=True)  # of another scene: if this run fails, it must not be read
+    program = program_hash(sluice)  # now: who builds while it runs replaces the file
     command = [str(sluice), "run", str(job.scene), "-o", str(job.folder), *job.changes, *words]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         said = []
@@ -125,6 +139,7 @@ def _run_unless_done(job, sluice, words, again, watch):
     watch.ended(job)
     if process.returncode not in (0, FAILED_NUMERICALLY):
         raise RunError(f"{shlex.join(command)}\n{''.join(said)}")
+    (job.folder / PROGRAM).write_text(f"{program}\n")
 
 
 def sweep_parser(description, name):

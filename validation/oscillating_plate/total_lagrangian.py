@@ -70,7 +70,7 @@ SERIES = (
     Series(10, WENDLAND, 1.2, (6, 10, 16), SMALL, ON_COLUMN),
 )
 QUICK = (Series(10, WENDLAND, 1.2, (6,)), Series(10, WENDLAND, 1.2, (6,), SMALL, ON_COLUMN))
-QUICK_LIMITS = 1.0, 1.035  # T over Timoshenko's: at 6 across 1.025, and 1.008 with the clamp's edge on a column
+QUICK_LIMITS = 0.965, 1.035  # T over Timoshenko's: at 6 across it is 1.025, and 1.008 with the clamp's edge on a column
 
 
 @dataclass(frozen=True)

@@ -24,10 +24,10 @@ def cpu_seconds(chapter):
     return sum(run["cpu_seconds"] for run in chapter.get("runs", ())) if chapter else 0.0
 
 
-def write(path, cases, chapters, folder, built, quick):
-    """cases: Case by name; chapters: what is known of each, by name; built: when the program was, to tell older runs."""
+def write(path, cases, chapters, folder, program, quick):
+    """cases: Case by name; chapters: what is known of each, by name; program: hash of today's, to tell runs of another."""
     parts = [header(cases, chapters, quick), overview(cases, chapters)]
-    parts += [section(case, chapters.get(name), folder / name, built) for name, case in cases.items()]
+    parts += [section(case, chapters.get(name), folder / name, program) for name, case in cases.items()]
     css = (HERE / "page.css").read_text()
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"""<!DOCTYPE html>
@@ -70,14 +70,14 @@ def chip(chapter):
     return f'<span class="verdict {key}">{WORDS[key]}</span>'
 
 
-def section(case, chapter, folder, built):
+def section(case, chapter, folder, program):
     title = (f'<section id="{case.name}"><div class="head"><h2>{esc(case.title)}</h2>{chip(chapter)}'
              f'<a class="up soft" href="#top">all cases</a></div><p>Proves {esc(case.proves)}. Against: {esc(case.against)}.</p>')
     if chapter is None:
         return f'{title}<p class="soft">Not run yet.</p></section>'
     if "failed" in chapter:
         return f'{title}<pre>{esc(chapter["failed"])}</pre></section>'
-    parts = [title, cost_line(case, chapter, built)]
+    parts = [title, cost_line(case, chapter, program)]
     drawn = [figure(f, folder, f"{case.name}-{i}") for i, f in enumerate(chapter["figures"])]
     parts += drawn[:1] + [f'<div class="pair"><div>{errors_table(chapter)}</div><div>{criteria(chapter)}</div></div>'] + drawn[1:]
     parts += [table(t) for t in chapter["tables"]]
@@ -85,12 +85,12 @@ def section(case, chapter, folder, built):
     return "".join(parts) + "</section>"
 
 
-def cost_line(case, chapter, built):
-    older = any(run["finished"] < built for run in chapter["runs"])
+def cost_line(case, chapter, program):
+    others = sum(run["program"] != program for run in chapter["runs"])
     runs = len(chapter["runs"])
     return (f'<p class="soft">{cpu_seconds(chapter):.1f} s of CPU time in {runs} run{"s" * (runs > 1)}, finished '
             f'{time.strftime("%-d %B %Y, %H:%M", time.localtime(max(run["finished"] for run in chapter["runs"])))}'
-            f'{", before the program was built anew" if older else ""}. <code>validation/{case.folder.name}</code></p>')
+            f'{f", {others} of them by another build of the program" if others else ""}. <code>validation/{case.folder.name}</code></p>')
 
 
 def figure(f, folder, key):
