@@ -1,6 +1,6 @@
 """Cases with a solution to be wrong by: runs at several spacings, errors, and how fast they fall."""
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Callable
 
@@ -30,9 +30,14 @@ class Case(case.Named):
     quick_counts: tuple
     quick_limits: dict      # name of an error or of what is beside it -> the most that it may be at quick_counts[-1]
     part: str = ""
+    scene: str = "scene.toml"
+    quick_settings: dict = field(default_factory=dict)  # of the scene, beside its spacing: an earlier end
+    stored: str = ""        # name of the figure beside the scene, for the README to show
 
     def plan(self, quick):
-        return [case.Run(f"across_{n}", {SPACING: f"{self.across[1] / n:.10g}"}) for n in self.counts_for(quick)]
+        changes = self.quick_settings if quick else {}
+        return [case.Run(f"across_{n}", {SPACING: f"{self.across[1] / n:.10g}", **changes}, self.scene)
+                for n in self.counts_for(quick)]
 
     def counts_for(self, quick):
         return self.quick_counts if quick else self.counts
@@ -44,7 +49,7 @@ class Case(case.Named):
         self.draw(study, picture)
         return case.Result(
             verdict, errors=[(name, f"{percent(study.finest[name])} %") for name in self.errors],
-            tables=[study.table()], figures=[case.Figure(picture, self.caption)],
+            tables=[study.table()], figures=[case.Figure(picture, self.caption, self.stored)],
             convergence=[case.Errors(name, list(study.counts), [abs(value[name]) for value in study.values])
                          for name in self.errors])
 

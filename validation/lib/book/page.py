@@ -104,7 +104,7 @@ def errors_table(chapter):
 
 
 def criteria(chapter):
-    rows = "".join(f'<tr{"" if ok else " class=failed"}><td>{esc(what)}</td><td class="number">{esc(f"{value} {unit}")}</td><td>{esc(wanted)}</td>'
+    rows = "".join(f'<tr{"" if ok else " class=failed"}><td>{esc(what)}</td><td class="number">{esc(f"{value} {unit}")}</td><td class="wanted">{esc(wanted)}</td>'
                    f'<td>{"pass" if ok else "FAIL"}</td></tr>' for what, value, unit, wanted, ok in chapter["verdict"]["rows"])
     return ('<h3>Criteria</h3><div class="scroll"><table class="words"><thead><tr><th></th><th class="number">value</th><th>wanted</th><th></th></tr>'
             f'</thead><tbody>{rows}</tbody></table></div>')
