@@ -6,7 +6,6 @@ The whole book also keeps each case's tables beside its scene (results.md) and w
 code: 0 if all criteria are met, 1 if not, 2 if a run failed.
 """
 import argparse
-import json
 import sys
 import traceback
 from pathlib import Path
@@ -74,7 +73,7 @@ def judge(case, submitted, folder, quick):
         cases_.write_chapter(case, folder, quick, {"failed": str(error)})
     except Exception:  # a fault of the case's own script must not take the other cases along
         cases_.write_chapter(case, folder, quick, {"failed": traceback.format_exc()})
-    return json.loads((folder / cases_.CHAPTER).read_text())
+    return cases_.read_chapter(folder)
 
 
 def told(case, chapter):
@@ -89,8 +88,8 @@ def told(case, chapter):
 
 def stored(cases, folder):
     """Chapters of earlier calls."""
-    there = {name: folder / name / cases_.CHAPTER for name in cases}
-    return {name: json.loads(path.read_text()) for name, path in there.items() if path.exists()}
+    there = {name: cases_.read_chapter(folder / name) for name in cases}
+    return {name: chapter for name, chapter in there.items() if chapter}
 
 
 def check(cases):

@@ -18,6 +18,7 @@ SPACINGS = {10: 0.001, 20: 0.0005}  # by particles across a ring [m]
 QUICK = {5: 0.002}
 SPEED = 5.07  # of each ring [m/s]
 MASS = 1010.0 * np.pi * (0.04 ** 2 - 0.03 ** 2)  # of one ring [kg/m]
+PARTS = (("total", style.BLACK), ("kinetic", style.BLUE), ("elastic", style.ORANGE), ("contact", style.VERMILION))
 MOMENTS = (0.0, 0.004, 0.008, 0.012)  # s, of the picture
 
 
@@ -64,7 +65,8 @@ def study(done):
              f"{100 * m['contact']:.1f} %", number(m["CPU [s]"], 1)] for n, m in measured.items()]
     return Result(
         judge(measured, done.quick),
-        errors=[("energy, worst step", f"{100 * finest['energy']:.2f} %"), ("momentum, of one ring's", f"{finest['momentum']:.0e}")],
+        errors=[("energy, worst step", f"{100 * finest['energy']:.2f} %"),
+                ("momentum, of one ring's", f"{finest['momentum']:.0e}")],
         tables=[Table("Collision", ["across", "rebound, of the speed before", "worst change of energy", "momentum, of one ring's",
                                     "smallest gap", "largest energy of contact", "CPU [s]"], rows)],
         figures=[Figure(picture, "Before, in and after the collision; colour: von Mises stress."),
@@ -93,7 +95,7 @@ def draw_rings(run, across, path):
     top = 1e-3 * max(np.percentile(frame["von_mises"], 99) for frame in frames)
     for axis, frame in zip(axes, frames):
         x, y = 1e3 * frame.points.T
-        axis.set(aspect="equal", xlim=(-90, 90), ylim=(-60, 60), xlabel="x [mm]")
+        axis.set(aspect="equal", xlim=(-105, 105), ylim=(-60, 60), xlabel="x [mm]")
         axis.set_title(f"t = {1e3 * frame.time:.0f} ms", loc="left")
         dots = axis.scatter(x, y, c=1e-3 * frame["von_mises"], s=0.8 * (20 / across) ** 2, linewidths=0, cmap=style.RUBBER,
                             vmin=0, vmax=top)
@@ -108,7 +110,7 @@ def draw_energy(runs, path):
     dashes = dict(zip(runs, ((0, (2, 1.5)), "solid")[-len(runs):]))
     for n, run in runs.items():
         first = run.probe("energy.total")[0]
-        for part, colour in (("total", style.BLACK), ("kinetic", style.BLUE), ("elastic", style.ORANGE), ("contact", style.VERMILION)):
+        for part, colour in PARTS:
             axis.plot(1e3 * run.time, run.probe(f"energy.{part}") / first, color=colour, linestyle=dashes[n],
                       label=f"{part}, {n} across")
     axis.set(xlabel="time [ms]", ylabel="energy / total at the start", xlim=(0, None))

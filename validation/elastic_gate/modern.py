@@ -57,6 +57,7 @@ def study(done):
     displacement, flow = done.folder / "displacement.svg", done.folder / "flow.png"
     figures.draw_displacement([(f"sluice, d = s/{n}", output) for n, output in results], reference, mean, displacement)
     figures.draw_flow(results[-1][1], flow)
+    sources = () if done.quick else (("ng2020", "Ng 2020"), ("yang2012", "Yang 2012"), ("mean", "the experiment"))
     top, rows = curves.deviations(results[-1][1], reference, mean)
     shown = [tables.curve_table(results, reference, mean, component) for component in "xy"]
     if not done.quick:
@@ -66,7 +67,7 @@ def study(done):
         judge_quick(results[-1][1]) if done.quick else judge(results, rows),
         errors=[("peak of x to Ng 2020", f"{rows['ng2020'][3]:+.1f} mm")] +
                [(f"free end to {label}, RMS x / y", f"{number(rows[name][0], 1)} / {number(rows[name][1], 1)} mm")
-                for name, label in (("ng2020", "Ng 2020"), ("yang2012", "Yang 2012"), ("mean", "the experiment")) if not done.quick],
+                for name, label in sources],
         tables=shown,
         figures=[Figure(flow, f"The finest run, d = s/{results[-1][0]}: pressure of the water, von Mises stress in the gate."),
                  Figure(displacement, "Free end at each spacing, thin to thick from fine to coarse. The experiment with its uncertainty "

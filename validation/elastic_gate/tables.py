@@ -32,8 +32,8 @@ def distance_table(results, reference, mean):
         top, deviation = curves.deviations(run, reference, mean)
         rows.append([f"d = s/{across}", f"{top[1]:.1f} at {top[0]:.3f} s"] +
                     [f"{number(deviation[name][0], 1)} / {number(deviation[name][1], 1)}" for name, _ in curves.SOURCES])
-    return Table("Distance to each source, RMS over 0.04 to 0.36 s", ["x / y [mm]", "peak of x"] + [label for _, label in curves.SOURCES],
-                 rows)
+    return Table("Distance to each source, RMS over 0.04 to 0.36 s",
+                 ["x / y [mm]", "peak of x"] + [label for _, label in curves.SOURCES], rows)
 
 
 def run_table(results):
@@ -43,8 +43,9 @@ def run_table(results):
         noise = rms(faster_than(run.time, run.probe("gate_pressure.p"), curves.NOISE_PERIOD))
         film = [frames.film_top[int(np.argmin(np.abs(np.array(frames.time) - t)))] -
                 np.interp(t, run.time, run.probe("level.level")) for t in (0.2, 0.4)]
-        rows.append([f"d = s/{across}", sum(s["particles"][kind] for kind in ("fluid", "solid", "wall")), s["steps"], number(s["cpu_seconds"], 0),
-                     number(s["max_speed"], 2), f"{s['momentum_residual']:.0e}", number(noise, 0),
+        particles = sum(s["particles"][phase] for phase in ("fluid", "solid", "wall"))
+        rows.append([f"d = s/{across}", particles, s["steps"], number(s["cpu_seconds"], 0), number(s["max_speed"], 2),
+                     f"{s['momentum_residual']:.0e}", number(noise, 0),
                      number(100 * max(frames.clumped), 2), f"{1e3 * film[0]:+.0f} / {1e3 * film[1]:+.0f}",
                      max(frames.inside), max(frames.behind), sum(frames.tunnelled)])
     return Table("Run", ["", "particles", "steps", "CPU [s]", "fastest water [m/s]", "momentum residual",

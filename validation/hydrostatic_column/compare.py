@@ -75,7 +75,8 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Hydrostatic column", FOLDER, "rest", "p = ρ g (H − y)", across=("H/d", DEPTH), counts=(20, 40, 80),
+    "Hydrostatic column", FOLDER, "rest", "p = ρ g (H − y)",
+    across=("H/d", DEPTH), counts=(20, 40, 80),
     errors=("floor pressure", "pressure, L2", "level"),
     others=(("floor p / exact", 4), ("slope / exact", 4), ("log10 of it", 1), ("log10, last 5 s", 1), ("fastest [mm/s]", 1)),
     measure=measure, judge=judge, draw=draw,

@@ -3,7 +3,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
-from matplotlib.collections import PathCollection  # noqa: E402
+from matplotlib.collections import PathCollection, QuadMesh  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 
@@ -45,7 +45,7 @@ def save(figure, path):
     is_svg = str(path).endswith(".svg")
     for axes in figure.axes if is_svg else ():
         for artist in axes.get_children():
-            artist.set_rasterized(_dots(artist) > MANY)
+            artist.set_rasterized(isinstance(artist, QuadMesh) or _dots(artist) > MANY)  # a colour bar's cells show seams
     metadata = {"Date": None} if is_svg else None
     figure.savefig(path, metadata=metadata)
     plt.close(figure)

@@ -102,7 +102,8 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Elliptical drop", FOLDER, "a free surface under large strain", "elliptical drop, ordinary differential equations", across=("R/d", RADIUS), counts=(25, 50, 100),
+    "Elliptical drop", FOLDER, "a free surface under large strain", "elliptical drop, ordinary differential equations",
+    across=("R/d", RADIUS), counts=(25, 50, 100),
     errors=("velocity, L2", "semi-axis a", "semi-axis b"),
     others=(("a b / R²", 4), ("outermost y / b", 4), ("kinetic energy kept", 4), ("pressure, L2 / exact", 3)),
     measure=measure, judge=judge, draw=draw,

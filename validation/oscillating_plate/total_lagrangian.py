@@ -133,7 +133,8 @@ def study(done):
             and points[-1].across >= min(20, QUICK[0].across[-1])}
     return Result(
         judge_quick(measured) if done.quick else judge(measured),
-        errors=[(f"period, L/H = {series.slenderness}, {series.across[-1]} across", f"{100 * off:+.2f} %") for series, off in best.items()],
+        errors=[(f"period, L/H = {series.slenderness}, {series.across[-1]} across", f"{100 * off:+.2f} %")
+                for series, off in best.items()],
         tables=[series_table(series, points) for series, points in measured],
         figures=[Figure(picture, "Period over that of Timoshenko's beam. Points: runs; lines: what the section of the layers of "
                                  "particles alone would do; dashed: second order. Plane elasticity is 0.5 % below Timoshenko.")],

@@ -100,7 +100,8 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Standing wave", FOLDER, "gravity waves, viscosity at a free surface", "the linearised Navier–Stokes equations", across=("H/d", DEPTH), counts=(20, 40, 80),
+    "Standing wave", FOLDER, "gravity waves, viscosity at a free surface", "the linearised Navier–Stokes equations",
+    across=("H/d", DEPTH), counts=(20, 40, 80),
     errors=("velocity of the wave, L2", "period", "damping"),
     others=(("period / exact", 4), ("damping / exact", 3)), measure=measure, judge=judge, draw=draw,
     caption="The wave's share of the particles' velocities against linear theory.",

@@ -77,7 +77,8 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Taylor-Green vortices", FOLDER, "the fluid without walls: viscosity, shifting, pressure", "the solution of the Navier–Stokes equations", across=("L/d", 1.0), counts=(50, 100, 200),
+    "Taylor-Green vortices", FOLDER, "the fluid without walls: viscosity, shifting, pressure", "the solution of the Navier–Stokes equations",
+    across=("L/d", 1.0), counts=(50, 100, 200),
     errors=("velocity, L2", "decay rate of the energy"),
     others=(("E / exact", 4), ("pressure noise / exact RMS", 3), ("mean p [Pa]", 2)),
     measure=measure, judge=judge, draw=draw,

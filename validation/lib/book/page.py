@@ -1,11 +1,10 @@
 """The book's page: one HTML file that needs no other."""
 import csv
-import html
-import re
 import time
 from pathlib import Path
 
 from lib.book import pictures
+from lib.book.markup import cell, esc, headings, marked, row, table
 from lib.book.progress import clock
 
 HERE = Path(__file__).resolve().parent
@@ -41,28 +40,28 @@ def write(path, cases, chapters, folder, program, quick):
 
 
 def header(cases, chapters, quick):
-    count = {key: sum(state(chapters.get(name)) == key for name in cases) for key in WORDS}
-    told = ", ".join(f"{count[key]} {word}" for key, word in (("pass", "pass"), ("fail", "fail"), ("broken", "with a failed run"),
-                                                               ("none", "not run")) if count[key])
-    program = sorted({(run["version"], run["instruction_set"]) for c in chapters.values() for run in c.get("runs", ())})
-    programs = "; ".join(f"sluice {version}, {isa}" for version, isa in program)
-    form = ("The quick form, as the tests run it: coarse and short, with criteria of its own. " if quick else "")
+    words = {"pass": "pass", "fail": "fail", "broken": "with a failed run", "none": "not run"}
+    count = {key: sum(state(chapters.get(name)) == key for name in cases) for key in words}
+    told = ", ".join(f"{count[key]} {word}" for key, word in words.items() if count[key])
+    programs = sorted({(run["version"], run["instruction_set"]) for c in chapters.values() for run in c.get("runs", ())})
+    form = "The quick form, as the tests run it: coarse and short, with criteria of its own. " if quick else ""
+    written = time.strftime("%-d %B %Y, %H:%M")
     return (f'<h1 id="top">sluice: validation</h1><p>{len(cases)} cases: {told}. {form}All runs took '
-            f'{clock(sum(cpu_seconds(c) for c in chapters.values()))} of CPU time together.</p>'
-            f'<p class="soft">{esc(programs)}. Written {time.strftime("%-d %B %Y, %H:%M")} by <code>validation/book.py</code>.</p>')
+            f'{clock(sum(cpu_seconds(c) for c in chapters.values()))} of CPU time together.</p><p class="soft">'
+            f'{esc("; ".join(f"sluice {version}, {isa}" for version, isa in programs))}. '
+            f'Written {written} by <code>validation/book.py</code>.</p>')
 
 
 def overview(cases, chapters):
     rows = []
     for name, case in cases.items():
         chapter = chapters.get(name)
-        error = "".join(f'<b>{esc(value)}</b> <span class="soft">{esc(what)}</span>'
-                        for what, value in chapter.get("errors", ())[:1]) if chapter else ""
+        known = chapter.get("errors", ())[:1] if chapter else ()
+        error = "".join(f'<b>{esc(value)}</b> <span class="soft">{esc(what)}</span>' for what, value in known)
         cpu = f"{cpu_seconds(chapter):.1f} s" if chapter and "runs" in chapter else "–"
-        rows.append(f'<tr><td><a href="#{name}">{esc(case.title)}</a></td><td>{chip(chapter)}</td>'
-                    f'<td>{error or "–"}</td><td>{esc(case.against)}</td><td class="number" data-name="CPU">{cpu}</td></tr>')
-    return ('<div class="scroll"><table class="words cases"><thead><tr><th>case</th><th>verdict</th><th>main error</th>'
-            f'<th>against</th><th class="number">CPU time</th></tr></thead><tbody>{"".join(rows)}</tbody></table></div>')
+        rows.append(row([cell(f'<a href="#{name}">{esc(case.title)}</a>'), cell(chip(chapter)), cell(error or "–"),
+                         cell(esc(case.against)), cell(cpu, kind="number", name="CPU")]))
+    return table(headings("case", "verdict", "main error", "against", "CPU time", number=(4,)), rows, "words cases")
 
 
 def chip(chapter):
@@ -72,25 +71,28 @@ def chip(chapter):
 
 def section(case, chapter, folder, program):
     title = (f'<section id="{case.name}"><div class="head"><h2>{esc(case.title)}</h2>{chip(chapter)}'
-             f'<a class="up soft" href="#top">all cases</a></div><p>Proves {esc(case.proves)}. Against: {esc(case.against)}.</p>')
+             f'<a class="up soft" href="#top">all cases</a></div>'
+             f'<p>Proves {esc(case.proves)}. Against: {esc(case.against)}.</p>')
     if chapter is None:
         return f'{title}<p class="soft">Not run yet.</p></section>'
     if "failed" in chapter:
         return f'{title}<pre>{esc(chapter["failed"])}</pre></section>'
-    parts = [title, cost_line(case, chapter, program)]
     drawn = [figure(f, folder, f"{case.name}-{i}") for i, f in enumerate(chapter["figures"])]
-    parts += drawn[:1] + [f'<div class="pair"><div>{errors_table(chapter)}</div><div>{criteria(chapter)}</div></div>'] + drawn[1:]
-    parts += [table(t) for t in chapter["tables"]]
-    parts += [convergence(chapter, case, folder), peers(case, chapter), precision_diagram(case), effects(chapter), run_table(chapter)]
+    judged = f'<div class="pair"><div>{errors_table(chapter)}</div><div>{criteria(chapter)}</div></div>'
+    parts = [title, cost_line(case, chapter, program), *drawn[:1], judged, *drawn[1:]]
+    parts += [results_table(t) for t in chapter["tables"]]
+    parts += [convergence(chapter, case, folder), peers(case, chapter), precision_diagram(case), effects(chapter),
+              run_table(chapter)]
     return "".join(parts) + "</section>"
 
 
 def cost_line(case, chapter, program):
-    others = sum(run["program"] != program for run in chapter["runs"])
-    runs = len(chapter["runs"])
-    return (f'<p class="soft">{cpu_seconds(chapter):.1f} s of CPU time in {runs} run{"s" * (runs > 1)}, finished '
-            f'{time.strftime("%-d %B %Y, %H:%M", time.localtime(max(run["finished"] for run in chapter["runs"])))}'
-            f'{f", {others} of them by another build of the program" if others else ""}. <code>validation/{case.folder.name}</code></p>')
+    runs = chapter["runs"]
+    others = sum(run["program"] != program for run in runs)
+    finished = time.strftime("%-d %B %Y, %H:%M", time.localtime(max(run["finished"] for run in runs)))
+    return (f'<p class="soft">{cpu_seconds(chapter):.1f} s of CPU time in {len(runs)} run{"s" * (len(runs) > 1)}, finished '
+            f'{finished}{f", {others} of them by another build of the program" if others else ""}. '
+            f'<code>validation/{case.folder.name}</code></p>')
 
 
 def figure(f, folder, key):
@@ -99,22 +101,22 @@ def figure(f, folder, key):
 
 
 def errors_table(chapter):
-    rows = "".join(f'<tr><td>{esc(what)}</td><td class="number">{esc(value)}</td></tr>' for what, value in chapter["errors"])
-    return f'<h3>Errors</h3><div class="scroll"><table class="words"><tbody>{rows}</tbody></table></div>'
+    rows = [row([cell(esc(what)), cell(esc(value), kind="number")]) for what, value in chapter["errors"]]
+    return "<h3>Errors</h3>" + table(None, rows)
 
 
 def criteria(chapter):
-    rows = "".join(f'<tr{"" if ok else " class=failed"}><td>{esc(what)}</td><td class="number">{esc(f"{value} {unit}")}</td><td class="wanted">{esc(wanted)}</td>'
-                   f'<td>{"pass" if ok else "FAIL"}</td></tr>' for what, value, unit, wanted, ok in chapter["verdict"]["rows"])
-    return ('<h3>Criteria</h3><div class="scroll"><table class="words"><thead><tr><th></th><th class="number">value</th><th>wanted</th><th></th></tr>'
-            f'</thead><tbody>{rows}</tbody></table></div>')
+    rows = [row([cell(esc(what)), cell(esc(f"{value} {unit}"), kind="number"), cell(esc(wanted), kind="wanted"),
+                 cell("pass" if ok else "FAIL")], "" if ok else "failed")
+            for what, value, unit, wanted, ok in chapter["verdict"]["rows"]]
+    return "<h3>Criteria</h3>" + table(headings("", "value", "wanted", "", number=(1,)), rows)
 
 
-def table(t):
-    head = "".join(f"<th>{marked(cell)}</th>" for cell in t["header"])
-    rows = "".join("<tr>" + "".join(f"<td>{marked(cell)}</td>" for cell in row) + "</tr>" for row in t["rows"])
+def results_table(t):
+    head = [cell(marked(name), "th") for name in t["header"]]
+    rows = [row([cell(marked(value)) for value in values]) for values in t["rows"]]
     note = f'<p class="note">{marked(t["note"])}</p>' if t["note"] else ""
-    return (f'<h3>{marked(t["title"])}</h3><div class="scroll"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>{note}')
+    return f'<h3>{marked(t["title"])}</h3>{table(head, rows, "")}{note}'
 
 
 def convergence(chapter, case, folder):
@@ -134,23 +136,23 @@ def peers(case, chapter):
     with open(path, newline="") as file:
         known = list(csv.DictReader(line for line in file if not line.startswith("#")))
     rows = []
-    for measure in dict.fromkeys(row["measure"] for row in known):
-        if measure not in chapter["measures"]:
-            continue
-        rows.append(f'<tr class="ours"><td>sluice</td><td>{esc(measure)}</td><td class="number">{esc(chapter["measures"][measure])}</td><td>here</td></tr>')
-        rows += [f'<tr><td>{esc(row["code"])}</td><td>{esc(measure)}</td><td class="number">{esc(row["value"])}</td><td>{esc(row["source"])}</td></tr>'
-                 for row in known if row["measure"] == measure]
+    for measure, ours in chapter["measures"].items():
+        theirs = [peer for peer in known if peer["measure"] == measure]
+        if theirs:
+            rows.append(row([cell("sluice"), cell(esc(measure)), cell(esc(ours), kind="number"), cell("here")], "ours"))
+        rows += [row([cell(esc(peer["code"])), cell(esc(measure)), cell(esc(peer["value"]), kind="number"),
+                      cell(esc(peer["source"]))]) for peer in theirs]
     if not rows:
         return ""
-    return ('<h3>What others reach</h3><div class="scroll"><table class="words"><thead><tr><th>code</th><th>measure</th>'
-            f'<th class="number">value</th><th>source</th></tr></thead><tbody>{"".join(rows)}</tbody></table></div>')
+    return "<h3>What others reach</h3>" + table(headings("code", "measure", "value", "source", number=(2,)), rows)
 
 
 def precision_diagram(case):
     path = case.folder / "study.svg"
     if case.part or not path.exists():
         return ""
-    caption = "Error against CPU time over spacings, presets and precisions, by sluice study (kept beside the scene, not run anew here)."
+    caption = ("Error against CPU time over spacings, presets and precisions, by sluice study (kept beside the scene, not run "
+               "anew here).")
     return "<h3>What accuracy costs</h3>" + figure({"path": path, "caption": caption}, case.folder, f"{case.name}-study")
 
 
@@ -162,11 +164,11 @@ def effects(chapter):
         groups.setdefault(tuple(on), []).append((run["name"], on))
     parts = []
     for runs in groups.values():
-        names = "" if len(groups) == 1 else f'<p class="note">{esc(", ".join(name for name, _ in runs))}</p>'
-        rows = "".join(f'<tr><td>{esc(effect["name"])}</td><td>{esc(why(key, runs))}</td><td class="soft">{esc(effect["equation"])}</td></tr>'
-                       for key, effect in runs[0][1].items())
-        parts.append(f'{names}<div class="scroll"><table class="words"><thead><tr><th>effect</th><th>why</th><th>source</th></tr></thead>'
-                     f'<tbody>{rows}</tbody></table></div>')
+        if len(groups) > 1:
+            parts.append(f'<p class="note">{esc(", ".join(name for name, _ in runs))}</p>')
+        rows = [row([cell(esc(effect["name"])), cell(esc(why(key, runs))), cell(esc(effect["equation"]), kind="soft")])
+                for key, effect in runs[0][1].items()]
+        parts.append(table(headings("effect", "why", "source"), rows))
     return "<h3>Effects that ran</h3>" + "".join(parts)
 
 
@@ -176,18 +178,8 @@ def why(key, runs):
 
 
 def run_table(chapter):
-    rows = "".join(
-        f'<tr><td>{esc(r["name"])}</td><td>{r["particles"]:,}</td><td>{r["steps"]:,}</td><td>{r["cpu_seconds"]:.1f}</td>'
-        f'<td>{r["wall_seconds"]:.1f}</td><td>{r["threads"]}</td><td>{r["precision"]}</td><td>{r["instruction_set"]}</td></tr>' for r in chapter["runs"])
-    return ('<details><summary>Runs and times</summary><div class="scroll"><table><thead><tr><th>run</th><th>particles</th><th>steps</th>'
-            '<th>CPU [s]</th><th>by the clock [s]</th><th>threads</th><th>precision</th><th>instructions</th></tr></thead>'
-            f'<tbody>{rows}</tbody></table></div></details>')
-
-
-def esc(text):
-    return html.escape(str(text))
-
-
-def marked(text):
-    """Escaped, with the little of Markdown that tables' notes have."""
-    return re.sub(r"\*([^*]+)\*", r"<em>\1</em>", re.sub(r"`([^`]+)`", r"<code>\1</code>", esc(text)))
+    rows = [row([cell(esc(value)) for value in (
+        r["name"], f'{r["particles"]:,}', f'{r["steps"]:,}', f'{r["cpu_seconds"]:.1f}', f'{r["wall_seconds"]:.1f}', r["threads"],
+        r["precision"], r["instruction_set"])]) for r in chapter["runs"]]
+    head = headings("run", "particles", "steps", "CPU [s]", "by the clock [s]", "threads", "precision", "instructions")
+    return f'<details><summary>Runs and times</summary>{table(head, rows, "")}</details>'

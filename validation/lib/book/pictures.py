@@ -5,8 +5,8 @@ import re
 
 from lib import style
 
-NAMED = {style.BLUE: "--blue", style.VERMILION: "--vermilion", style.GREEN: "--green", style.PURPLE: "--purple", style.ORANGE: "--orange",
-         style.SKY: "--sky"}
+NAMED = {style.BLUE: "--blue", style.VERMILION: "--vermilion", style.GREEN: "--green", style.PURPLE: "--purple",
+         style.ORANGE: "--orange", style.SKY: "--sky"}
 CSS_PER_POINT = 96 / 72  # pixels
 MAGNIFIED = 1.25         # text of 9 points as large as the captions
 
