@@ -92,8 +92,9 @@ def load_table(load, across, tips, cpu, beam):
         rows.append([n, number(x, 3), number(y, 3), f"{100 * (y / beam['reissner_y'] - 1):+.2f} %", f"{100 * soft:+.2f} %",
                      number(swing, 3), number(seconds, 1)])
     (order_x, limit_x), (order, limit) = limits(across, tips)
-    rows.append(["extrapolated", number(limit_x, 3), number(limit, 3),
-                 f"{100 * (limit / beam['reissner_y'] - 1):+.2f} %" if limit else "–", "", "", ""])
+    if len(across) > 2:
+        rows.append(["extrapolated", number(limit_x, 3), number(limit, 3),
+                     f"{100 * (limit / beam['reissner_y'] - 1):+.2f} %" if limit else "–", "", "", ""])
     rows.append(["beam (Reissner)", number(beam["reissner_x"], 3), number(beam["reissner_y"], 3), "", "", "", ""])
     rows.append(["beam, linear", "", number(beam["linear_y"], 3), "", "", "", ""])
     return Table(f"{load.capitalize()} load, g = {LOADS[load]:g} m/s²",

@@ -75,7 +75,7 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Hydrostatic column", FOLDER, "rest", "p = ρ g (H − y)",
+    "Hydrostatic column", FOLDER, "water at rest stays at rest, with its pressure", "p = ρ g (H − y)",
     across=("H/d", DEPTH), counts=(20, 40, 80),
     errors=("floor pressure", "pressure, L2", "level"),
     others=(("floor p / exact", 4), ("slope / exact", 4), ("log10 of it", 1), ("log10, last 5 s", 1), ("fastest [mm/s]", 1)),
