@@ -28,7 +28,8 @@ class Case(case.Named):
     draw: Callable          # Study, path of an SVG
     caption: str            # of what is drawn
     quick_counts: tuple
-    quick_limits: dict      # name of an error or of what is beside it -> the most that it may be at quick_counts[-1]
+    quick_limits: dict = field(default_factory=dict)  # name of an error or of what is beside it -> the most that it may be
+    judge_quick: Callable = None                      # Study -> Verdict, where most-that-it-may-be does not do
     part: str = ""
     scene: str = "scene.toml"
     quick_settings: dict = field(default_factory=dict)  # of the scene, beside its spacing: an earlier end
@@ -44,7 +45,7 @@ class Case(case.Named):
 
     def study(self, done):
         study = Study(self, self.counts_for(done.quick), list(done.runs.values()))
-        verdict = self.judge_quick(study) if done.quick else self.judge(study)
+        verdict = (self.judge_quick or self._within_limits)(study) if done.quick else self.judge(study)
         picture = done.folder / "figure.svg"
         self.draw(study, picture)
         return case.Result(
@@ -53,7 +54,7 @@ class Case(case.Named):
             convergence=[case.Errors(name, list(study.counts), [abs(value[name]) for value in study.values])
                          for name in self.errors])
 
-    def judge_quick(self, study):
+    def _within_limits(self, study):
         verdict = Verdict()
         for name, limit in self.quick_limits.items():
             if name in self.errors:
@@ -63,8 +64,18 @@ class Case(case.Named):
         return verdict
 
 
+@dataclass(frozen=True)
+class Measured:
+    """One of several scenes of a case: what a Study needs to know of it."""
+    title: str
+    across: tuple
+    errors: tuple
+    others: tuple
+    measure: Callable
+
+
 class Study:
-    """Runs of a case at its spacings, each measured to a dictionary of numbers."""
+    """Runs at several spacings, each measured to a dictionary of numbers. case_: a Case, or Measured."""
 
     def __init__(self, case_, counts, outputs):
         self.case, self.counts, self.runs = case_, counts, outputs
@@ -91,7 +102,7 @@ class Study:
         else:
             verdict.limit(f"{error}: order, last", self.order(error), "", low=1)
 
-    def table(self):
+    def table(self, title="Errors"):
         header = [self.case.across[0]]
         for error in self.case.errors:
             header += [f"{error} [%]", "order"]
@@ -102,7 +113,8 @@ class Study:
             for error in self.case.errors:
                 row += [percent(value[error]), number(self.order(error, i), 2)]
             rows.append(row + [number(value[name], digits) for name, digits in (*self.case.others, ("CPU [s]", 1))])
-        return case.Table("Errors", header, rows, "Order: between a row's spacing and the one above it.")
+        note = "Order: between a row's spacing and the one above it." if self.case.errors else ""
+        return case.Table(title, header, rows, note)
 
 
 def study_of(case_, folder, settings, options, counts):
