@@ -9,6 +9,7 @@ NAMED = {style.BLUE: "--blue", style.VERMILION: "--vermilion", style.GREEN: "--g
          style.ORANGE: "--orange", style.SKY: "--sky"}
 CSS_PER_POINT = 96 / 72  # pixels
 MAGNIFIED = 1.25         # text of 9 points as large as the captions
+SMALLEST = 0.47          # of that: a figure of 6.3 inches just fits a phone; what is wider then scrolls
 
 
 def picture(path, key, caption):
@@ -32,11 +33,12 @@ def _inline(text, key, caption):
 
 
 def _head(tag, caption):
-    """Without a size of its own, but no larger than it was drawn for."""
+    """Without a size of its own: no larger than it was drawn for, and not so small that its text cannot be read."""
     width, unit = re.search(r'\bwidth="([\d.]+)(pt)?"', tag).groups()
     pixels = float(width) * (CSS_PER_POINT * MAGNIFIED if unit else 1)
     tag = re.sub(r'\s(width|height)="[^"]*"', "", tag)
-    return f'{tag[:-1]} role="img" aria-label="{html.escape(caption, quote=True)}" style="max-width: {pixels:.0f}px">'
+    size = f"max-width: {pixels:.0f}px; min-width: {SMALLEST * pixels:.0f}px"
+    return f'{tag[:-1]} role="img" aria-label="{html.escape(caption, quote=True)}" style="{size}">'
 
 
 def _colour(match):
