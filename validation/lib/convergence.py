@@ -2,7 +2,7 @@
 import argparse
 import math
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Callable
 
@@ -25,6 +25,8 @@ class Case:
     measure: Callable       # RunOutput -> {name: value}
     judge: Callable         # Study -> Verdict
     draw: Callable          # Study, path
+    scene: str = "scene.toml"
+    settings: dict = field(default_factory=dict)  # changes of the scene beside its spacing, e.g. a quick form's end
 
 
 class Study:
@@ -34,8 +36,8 @@ class Study:
         self.case, self.counts, self.values, self.runs = case, counts or case.counts, [], []
         for count in self.counts:
             at = Path(folder) / f"across_{count}"
-            changes = {SPACING: f"{case.across[1] / count:.10g}", **(settings or {})}
-            runs.run(case.folder / "scene.toml", at, changes, sluice, ["--threads", threads])
+            changes = {SPACING: f"{case.across[1] / count:.10g}", **case.settings, **(settings or {})}
+            runs.run(case.folder / case.scene, at, changes, sluice, ["--threads", threads])
             run = RunOutput(at)
             if run.summary["status"] != "done":
                 raise RunError(f"{at}: {run.summary['status']} at t = {run.summary['simulated_time']:.3g} s")
@@ -101,11 +103,16 @@ def run_case(case, options, settings=None):
     return study, verdict
 
 
-def main(case):
-    """The command of one case: exit code 0 if its criteria are met, 1 if not, 2 if a run failed."""
+def main(case, quick=None):
+    """The command of one case: exit code 0 if its criteria are met, 1 if not, 2 if a run failed. `quick` is the case in
+    seconds, with criteria of its own; its runs go to a folder of their own."""
     parser = arguments(sys.modules["__main__"].__doc__, runs.ROOT / "results" / case.folder.name)
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value of the scene")
+    if quick:
+        parser.add_argument("--quick", action="store_true", help="the quick form, with its own criteria")
     options = parser.parse_args()
+    if quick and options.quick:
+        case, options.folder = quick, options.folder / "quick"
     try:
         _, verdict = run_case(case, options, dict(change.split("=", 1) for change in options.set))
     except RunError as error:
