@@ -108,14 +108,17 @@ def main(case, quick=None):
     seconds, with criteria of its own; its runs go to a folder of their own."""
     parser = arguments(sys.modules["__main__"].__doc__, runs.ROOT / "results" / case.folder.name)
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value of the scene")
+    parser.add_argument("--store", action="store_true", help="keep the figure as figure.svg beside the README")
     if quick:
         parser.add_argument("--quick", action="store_true", help="the quick form, with its own criteria")
     options = parser.parse_args()
     if quick and options.quick:
         case, options.folder = quick, options.folder / "quick"
     try:
-        _, verdict = run_case(case, options, dict(change.split("=", 1) for change in options.set))
+        study, verdict = run_case(case, options, dict(change.split("=", 1) for change in options.set))
     except RunError as error:
         print(f"{case.title}: cannot compare: {error}", file=sys.stderr)
         return 2
+    if options.store and case is not quick:
+        case.draw(study, case.folder / "figure.svg")
     return verdict.close(case.title)
