@@ -104,7 +104,7 @@ def measure_impact(run):
 
 def judge_front(verdict, value):
     """Near the column friction is small, so the speed is compared; a lag that is constant is the start's (README). Far from it
-    the tongue is thin: friction slows the experiment's, 15 %; 2 is the fastest that a dam break without friction runs (Ritter)."""
+    the tongue is thin: friction slows the experiment's, 15 %; 2 is the fastest that one without friction runs (Ritter)."""
     verdict.limit("front: speed for z* = 1.5 to 4.1 / theirs", value["near / theirs"], "", low=0.95, high=1.05)
     verdict.limit("front: ahead at z* = 4.1", value["ahead at z* = 4.1 [t*]"], "t*", low=0, high=0.5)
     verdict.limit("front: speed for z* = 4.1 to 14 / theirs", value["far / theirs"], "", low=0.85, high=1.15)
@@ -112,7 +112,7 @@ def judge_front(verdict, value):
 
 
 def judge_impact(verdict, value):
-    """Arrival within 5 %: friction and the gate's time, both missing here. Peak and plateau: where 95 % of the experiments lie."""
+    """Arrival within 5 %: friction and the gate's time are missing. Peak and plateau: where 95 % of the experiments lie."""
     arrival = SPREAD["arrival"][1]
     verdict.limit("arrival at the wall", value["arrival [t*]"], "t*", low=0.95 * arrival, high=1.05 * arrival)
     verdict.limit("peak at 3 mm", value["peak 3 mm"], "p*", low=SPREAD["peak"][0], high=SPREAD["peak"][2])

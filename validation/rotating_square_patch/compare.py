@@ -139,6 +139,7 @@ def judge_quick(study):
 
 def draw(study, path):
     plt = style.use()
+    plt.rcParams["savefig.dpi"] = 100  # of the particles: in figure.svg they are a picture, which must be small
     run = study.runs[-1]
     times = [time for time in (EARLY, LATE, 2.0) if time <= run.frame_times()[-1] + 0.5 * patch.STEP]
     figure, axes = plt.subplots(1, len(times) + 1, figsize=(2.6 * len(times) + 3.2, 2.8), layout="constrained")
@@ -146,8 +147,8 @@ def draw(study, path):
         frame = run.frame_near(time)
         reach = 1.05 * np.abs(complex_points(frame)).max()
         axis.set(aspect="equal", title=f"t Ω = {time:g}", xticks=(), yticks=(), xlim=(-reach, reach), ylim=(-reach, reach))
-        dots = axis.scatter(*frame.points.T, c=np.asarray(frame["pressure"], dtype=float) / UNIT, linewidths=0,
-                            s=style.dot_area(axis, 1.2 * SIDE / study.counts[-1]), cmap=style.WATER.reversed(), vmin=-0.15, vmax=0,
+        dots = axis.scatter(*frame.points.T, c=np.asarray(frame["pressure"], dtype=float) / UNIT, vmin=-0.15, vmax=0,
+                            cmap=style.WATER.reversed(), s=style.dot_area(axis, 1.2 * SIDE / study.counts[-1]), linewidths=0,
                             rasterized=True)
         if time <= LATE:
             outline = exact_at(time).outline()
