@@ -37,8 +37,7 @@ class Case(case.Named):
 
     def plan(self, quick):
         changes = self.quick_settings if quick else {}
-        return [case.Run(f"across_{n}", {SPACING: f"{self.across[1] / n:.10g}", **changes}, self.scene)
-                for n in self.counts_for(quick)]
+        return runs_at("across", self.across[1], self.counts_for(quick), changes, self.scene)
 
     def counts_for(self, quick):
         return self.quick_counts if quick else self.counts
@@ -64,6 +63,11 @@ class Case(case.Named):
         return verdict
 
 
+def runs_at(name, length, counts, settings=None, scene="scene.toml"):
+    """Runs name_N with N spacings to the length, for each of the counts."""
+    return [case.Run(f"{name}_{n}", {SPACING: f"{length / n:.10g}", **(settings or {})}, scene) for n in counts]
+
+
 @dataclass(frozen=True)
 class Measured:
     """One of several scenes of a case: what a Study needs to know of it."""
@@ -72,6 +76,11 @@ class Measured:
     errors: tuple
     others: tuple
     measure: Callable
+
+
+def study_at(measured, name, counts, done):
+    """Of a scene whose runs runs_at planned under this name."""
+    return Study(measured, counts, [done.runs[f"{name}_{n}"] for n in counts])
 
 
 class Study:
