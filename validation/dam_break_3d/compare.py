@@ -4,7 +4,6 @@ the first impact and of the wave that comes back with the measurement at MARIN.
 
 The quick form has four particles and ends at 0.7 s: first impact, reservoir's level, energy.
 """
-import dataclasses
 import sys
 from pathlib import Path
 
@@ -13,7 +12,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import convergence, style  # noqa: E402
+from lib import case, convergence, style  # noqa: E402
 from lib.curves import read_reference  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
@@ -117,11 +116,13 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Dam break against a box, 3D", FOLDER, ("across", BOX), (4, 6), errors=("reservoir, RMS", "before the box, RMS"),
+    "Dam break against a box, 3D", FOLDER, "3D: fluid, mirror walls, fixed ghosts", "Kleefsman 2005, SPHERIC test 2",
+    across=("across", BOX), counts=(4, 6), errors=("reservoir, RMS", "before the box, RMS"),
     others=(("impact [s]", 3), ("back [s]", 2), ("p low / measured", 2), ("p high / measured", 2),
             ("highest energy / first", 4), ("lost", 0)),
-    measure=measure, judge=judge, draw=draw, settings={"output.end": "3.0", "output.frame_interval": "0.5"})
-QUICK = dataclasses.replace(CASE, counts=(4,), judge=judge_quick, settings={"output.end": "0.7", "output.frame_interval": "0.35"})
+    measure=measure, judge=judge, draw=draw, stored="figure.svg", settings={"output.end": "3.0", "output.frame_interval": "0.5"},
+    caption="Levels in the reservoir and before the box, pressures on the box, against the measurement at MARIN (dots).",
+    quick_counts=(4,), quick_settings={"output.end": "0.7", "output.frame_interval": "0.35"}, judge_quick=judge_quick)
 
 if __name__ == "__main__":
-    sys.exit(convergence.main(CASE, QUICK))
+    sys.exit(case.main(CASE))

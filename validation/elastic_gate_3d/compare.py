@@ -11,9 +11,10 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import convergence, studies, style  # noqa: E402
+from lib import case, convergence, style  # noqa: E402
+from lib.case import Figure, Result, Table  # noqa: E402
 from lib.curves import peak, read_reference  # noqa: E402
-from lib.markdown import number, table  # noqa: E402
+from lib.markdown import number  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
 FLAT = FOLDER.parent / "elastic_gate"
@@ -25,11 +26,12 @@ REFERENCE = read_reference(FLAT / "reference.csv")
 SOLIDS = (("yang2012", "Yang 2012"), ("khayyer2018", "Khayyer 2018"), ("ng2020", "Ng 2020"))  # linear elasticity, in 2D
 
 
-def pair(options, across, end):
+def plan(quick):
     """The gate in 3D and in 2D."""
-    settings = {convergence.SPACING: f"{THICKNESS / across:.10g}", "output.end": f"{end:g}"}
-    return (studies.run(options, f"across_{across}", FOLDER / "modern.toml", settings),
-            studies.run(options, f"flat_{across}", FLAT / "modern.toml", settings))
+    counts, end = (QUICK_ACROSS, QUICK_END) if quick else (ACROSS, END)
+    settings = {"output.end": f"{end:g}"}
+    return (convergence.runs_at("across", THICKNESS, counts, settings, "modern.toml") +
+            convergence.runs_at("flat", THICKNESS, counts, settings, "../elastic_gate/modern.toml"))
 
 
 def foot(run, probe="free_end", component="x"):
@@ -78,20 +80,26 @@ def draw(pairs, counts, path):
     style.save(figure, path)
 
 
-def study(options):
-    quick = studies.quick(options)
-    counts, end = (QUICK_ACROSS, QUICK_END) if quick else (ACROSS, END)
-    pairs = [pair(options, across, end) for across in counts]
+def study(done):
+    counts = QUICK_ACROSS if done.quick else ACROSS
+    pairs = [(done.runs[f"across_{n}"], done.runs[f"flat_{n}"]) for n in counts]
     values = [measure(*both) for both in pairs]
-    verdict = Verdict()
-    judge(verdict, values[-1], quick)
-    for path in studies.pictures(options, FOLDER):
-        draw(pairs, counts, path)
+    verdict, finest = Verdict(), values[-1]
+    judge(verdict, finest, done.quick)
+    picture = done.folder / "figure.svg"
+    draw(pairs, counts, picture)
     digits = (("peak x [mm]", 1), ("at [s]", 3), ("in 2D [mm]", 1), ("2D at [s]", 3), ("3D / 2D", 3), ("corner − middle [mm]", 2),
               ("sideways [mm]", 3), ("highest energy / first", 5), ("CPU [s]", 0))
     rows = [[across] + [number(value[name], d) for name, d in digits] for across, value in zip(counts, values)]
-    return [table(["across"] + [name for name, _ in digits], rows)], verdict
+    return Result(
+        verdict, tables=[Table("Foot of the gate", ["across"] + [name for name, _ in digits], rows)],
+        errors=[("x to that in 2D", f"{100 * (finest['3D / 2D'] - 1):+.1f} %"),
+                ("energy, highest", f"{100 * (finest['highest energy / first'] - 1):+.2f} %")],
+        figures=[Figure(picture, "Foot of the gate in 3D and in 2D, linear solids of other codes (in 2D), and the experiment.",
+                        "figure.svg")])
 
+
+CASE = case.Case("Elastic gate, 3D", FOLDER, "3D: fluid, solid and interface together", "the same gate in 2D; Antoci 2007", plan, study)
 
 if __name__ == "__main__":
-    sys.exit(studies.main("Elastic gate, 3D", FOLDER, study))
+    sys.exit(case.main(CASE))

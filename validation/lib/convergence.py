@@ -32,11 +32,12 @@ class Case(case.Named):
     judge_quick: Callable = None                      # Study -> Verdict, where most-that-it-may-be does not do
     part: str = ""
     scene: str = "scene.toml"
-    quick_settings: dict = field(default_factory=dict)  # of the scene, beside its spacing: an earlier end
+    settings: dict = field(default_factory=dict)        # changes of the scene beside its spacing,
+    quick_settings: dict = field(default_factory=dict)  # and of the quick form: an earlier end
     stored: str = ""        # name of the figure beside the scene, for the README to show
 
     def plan(self, quick):
-        changes = self.quick_settings if quick else {}
+        changes = self.quick_settings if quick else self.settings
         return runs_at("across", self.across[1], self.counts_for(quick), changes, self.scene)
 
     def counts_for(self, quick):
