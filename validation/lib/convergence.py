@@ -112,7 +112,7 @@ class Study:
         else:
             verdict.limit(f"{error}: order, last", self.order(error), "", low=1)
 
-    def table(self, title="Errors"):
+    def table(self, title="Spacings"):
         header = [self.case.across[0]]
         for error in self.case.errors:
             header += [f"{error} [%]", "order"]

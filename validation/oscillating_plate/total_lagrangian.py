@@ -219,7 +219,6 @@ def draw(measured, path):
                         color=colour, linewidth=0.9)
     guide = np.array([10, 30])
     axis.loglog(guide, 0.012 * (10 / guide) ** 2, color=style.BLACK, linewidth=0.8, linestyle=(0, (5, 2)))
-    axis.text(16, 0.0034, "second order", fontsize=8)
     axis.set_xlabel("particles across")
     axis.set_ylabel("period / Timoshenko − 1")
     axis.set_xticks([6, 10, 20, 30], ["6", "10", "20", "30"])

@@ -23,7 +23,7 @@ def update(cases, folders, chapters):
 
 
 def _line(case, chapter):
-    errors = ", ".join(f"{what} {value}" for what, value in chapter.get("errors", ())) if chapter else ""
+    errors = "; ".join(f"{what}: {value}" for what, value in chapter.get("errors", ())) if chapter else ""
     verdict = WORDS[state(chapter)]
     cpu = f"{cpu_seconds(chapter):.0f} s" if chapter and "runs" in chapter else ""
     return (f"| [`{case.name}`]({case.folder.name}) | {case.proves} | {case.against} | {errors} | {cpu} | "
