@@ -83,7 +83,8 @@ def judge(study):
     verdict.limit("first impact", at["impact [s]"], "s", low=0.95 * IMPACT, high=1.05 * IMPACT)
     verdict.limit("wave back in the reservoir", at["back [s]"], "s", low=0.95 * BACK[0], high=1.05 * BACK[1])
     for name, ratio in (("front_low", "p low / measured"), ("front_high", "p high / measured")):
-        verdict.limit(f"pressure {PRESSURES[name]}, {STEADY[0]:g} to {STEADY[1]:g} s / measured", at[ratio], "", low=0.7, high=1.3)
+        verdict.limit(f"pressure {PRESSURES[name]}, {STEADY[0]:g} to {STEADY[1]:g} s / measured", at[ratio], "",
+                      low=0.7, high=1.3)
     judge_kept(verdict, at)
     return verdict
 
