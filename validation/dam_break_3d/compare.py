@@ -20,8 +20,9 @@ BOX, DEPTH, LENGTH = 0.161, 0.55, 3.22   # m: the box's height, the water's dept
 SHORT = 0.01         # s: a reference value is a mean over this, before and after
 IMPACT = 0.394       # s: the lower sensor's pressure passes 1 kPa
 TOUCH = 1000.0       # Pa
-BACK = (2.68, 2.77)  # s: the reservoir's level stands at 0.11 m at the first, at 0.20 m at the second
-RISEN = 0.15         # m
+RISEN = 0.15         # m: level in the reservoir that the wave on its way back lifts the water above,
+EMPTIED = 2.0        # s: when it has sunk below that level
+BACK = (2.68, 2.77)  # s: the measured level is 0.11 m at the first and 0.20 m at the second
 STEADY = (0.9, 2.0)  # s: the box stands in the flow
 LEVELS = {"level_2638": "in the reservoir", "level_0992": "before the box"}
 PRESSURES = {"front_low": "21 mm above the floor", "front_high": "101 mm above the floor"}
@@ -66,7 +67,7 @@ def measure(run):
     return {
         "reservoir, RMS": level_error(run, "level_2638"), "before the box, RMS": level_error(run, "level_0992"),
         "impact [s]": first_above(run.time, run.probe("front_low.p"), TOUCH),
-        "back [s]": first_above(run.time, run.probe("level_2638.level"), RISEN, start=1.5),
+        "back [s]": first_above(run.time, run.probe("level_2638.level"), RISEN, start=EMPTIED),
         "p low / measured": pressure_ratio(run, "front_low"), "p high / measured": pressure_ratio(run, "front_high"),
         "highest energy / first": energy.max() / energy[0],
         "lost": run.summary["particles"]["fluid"] - int(np.count_nonzero((x > 0) & (x < LENGTH) & (y > 0))),
@@ -82,7 +83,8 @@ def judge(study):
     verdict.limit("first impact", at["impact [s]"], "s", low=0.95 * IMPACT, high=1.05 * IMPACT)
     verdict.limit("wave back in the reservoir", at["back [s]"], "s", low=0.95 * BACK[0], high=1.05 * BACK[1])
     for name, ratio in (("front_low", "p low / measured"), ("front_high", "p high / measured")):
-        verdict.limit(f"pressure {PRESSURES[name]}, {STEADY[0]:g} to {STEADY[1]:g} s / measured", at[ratio], "", low=0.7, high=1.3)
+        verdict.limit(f"pressure {PRESSURES[name]}, {STEADY[0]:g} to {STEADY[1]:g} s / measured", at[ratio], "",
+                      low=0.7, high=1.3)
     judge_kept(verdict, at)
     return verdict
 

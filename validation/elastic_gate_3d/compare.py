@@ -51,12 +51,13 @@ def measure(deep, flat):
 
 def judge(verdict, value, quick):
     """Between its clamp and its free foot the gate bends like a strip. In 2D it cannot contract along z; in 3D it can at its
-    sides, which makes it softer by 1/(1 − ν²) at the most. 5 % below that range for water that passes its sides. Energy is kept to first
-    order in the step (README.md of this repository): half a percent."""
+    sides, which makes it softer by 1/(1 − ν²) at the most; 5 % below that range for water that passes its sides. Energy is kept
+    to first order in the step (README.md of this repository): half a percent."""
     verdict.limit("peak of x, 3D / 2D" if not quick else "x at the end, 3D / 2D", value["3D / 2D"], "", low=0.95, high=SOFTER)
     if not quick:
         low, high = (limit(np.nanmax(REFERENCE[f"{name}_x"]) for name, _ in SOLIDS) for limit in (min, max))
-        verdict.limit("peak of x, linear solids of other codes ± 5 %", value["peak x [mm]"], "mm", low=0.95 * low, high=1.05 * high)
+        verdict.limit("peak of x, linear solids of other codes ± 5 %", value["peak x [mm]"], "mm",
+                      low=0.95 * low, high=1.05 * high)
     verdict.limit("corner less middle of the foot, of the peak", 100 * abs(value["corner − middle [mm]"]) / value["peak x [mm]"],
                   "%", high=5)
     verdict.limit("middle of the foot sideways, of the peak", 100 * value["sideways [mm]"] / value["peak x [mm]"], "%", high=1)
@@ -71,7 +72,8 @@ def draw(pairs, counts, path):
         axis.plot(deep.time, foot(deep), color=colour, label=f"3D, {across} across")
         axis.plot(flat.time, foot(flat), color=colour, linestyle=(0, (4, 2)), linewidth=1, label=f"2D, {across} across")
     for (name, label), marker in zip(SOLIDS, "sv^"):
-        axis.plot(REFERENCE["t_s"], REFERENCE[f"{name}_x"], marker, color=style.BLACK, markersize=3, fillstyle="none", label=label)
+        axis.plot(REFERENCE["t_s"], REFERENCE[f"{name}_x"], marker, color=style.BLACK, markersize=3, fillstyle="none",
+                  label=label)
     for name in ("exp1", "exp2"):
         axis.plot(REFERENCE["t_s"], REFERENCE[f"{name}_x"], "o", color=style.VERMILION, markersize=2.5,
                   label="experiment" if name == "exp1" else None)
