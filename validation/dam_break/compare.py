@@ -199,7 +199,7 @@ def study(done):
                                  "al.: their curves (black), and where 95 % of their experiments lie (red).", "figure.svg")])
 
 
-CASE = case.Case("Dam break", FOLDER, "a front on a dry floor, an impact on a wall", "Martin & Moyce 1952; Lobovský et al. 2014",
+CASE = case.Case("Dam break", FOLDER, "front and impact of water, without friction", "Martin & Moyce 1952; Lobovský et al. 2014",
                  plan, study)
 
 if __name__ == "__main__":

@@ -101,7 +101,8 @@ def study(done):
                         "figure.svg")])
 
 
-CASE = case.Case("Elastic gate, 3D", FOLDER, "3D: fluid, solid and interface together", "the same gate in 2D; Antoci 2007", plan, study)
+CASE = case.Case("Elastic gate, 3D", FOLDER, "3D: fluid, solid and interface together", "the same gate in 2D; linear solids of other codes",
+                 plan, study)
 
 if __name__ == "__main__":
     sys.exit(case.main(CASE))

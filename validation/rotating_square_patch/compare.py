@@ -170,7 +170,8 @@ def middle_pressure(state):
 
 
 CASE = convergence.Case(
-    "Rotating square patch", FOLDER, "a free surface under tension and large strain", "incompressible flow, by power series",
+    "Rotating square patch", FOLDER, "negative pressure, a free surface, particles kept in order",
+    "incompressible flow by a power series; Le Touzé 2013",
     across=("L/d", SIDE), counts=(40, 80, 160), errors=("velocity, L2", "pressure, L2", "pressure at 0.3, L2"),
     others=(("p, middle / exact", 3), ("waist / exact", 3), ("tip / straight", 3), ("energy kept", 4), ("ang. mom. kept", 4),
             ("asymmetry [% of L]", 2), ("empty cells", 0)),

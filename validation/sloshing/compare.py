@@ -179,7 +179,8 @@ def study(done):
                      for of in at.values()])
 
 
-CASE = case.Case("Sloshing", FOLDER, "waves in a tank that is swayed; walls that move", "linear theory of waves", plan, study)
+CASE = case.Case("Sloshing", FOLDER, "driven waves; a tank that moves and one seen from within",
+                 "linear theory, Faltinsen 1978", plan, study)
 
 if __name__ == "__main__":
     sys.exit(case.main(CASE))
