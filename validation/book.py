@@ -28,7 +28,10 @@ def arguments(names):
     parser.add_argument("--only", nargs="+", metavar="CASE", default=names, choices=names, help=f"of: {', '.join(names)}")
     cases_.add_options(parser)
     parser.add_argument("--check", action="store_true", help="only whether README.md's table has every case")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if not options.check:
+        cases_.need_program(parser, options)
+    return options
 
 
 def main():

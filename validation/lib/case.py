@@ -113,6 +113,11 @@ def add_options(parser):
     parser.add_argument("--again", action="store_true", help="run also what is done")
 
 
+def need_program(parser, options):
+    if not options.sluice.is_file():
+        parser.error(f"there is no program {options.sluice}; validation/book.sh builds it")
+
+
 def jobs(case, folder, quick, changes=None):
     """What is to be run for a case; changes: of every scene, beyond those of the plan."""
     return [runs.Job(case.folder / run.scene, folder / run.name, {**run.settings, **(changes or {})})
@@ -201,6 +206,7 @@ def main(case):
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value of the scene")
     parser.add_argument("--store", action="store_true", help=f"keep the tables in {case.results_file.name} beside the scene")
     options = parser.parse_args()
+    need_program(parser, options)
     folder = options.folder or default_folder(options.quick) / case.name
     changes = dict(change.split("=", 1) for change in options.set)
     try:
