@@ -8,8 +8,8 @@ def esc(text):
 
 
 def marked(text):
-    """Escaped, with the little of Markdown that tables' notes have."""
-    return re.sub(r"\*([^*]+)\*", r"<em>\1</em>", re.sub(r"`([^`]+)`", r"<code>\1</code>", esc(text)))
+    """Escaped, with the little of Markdown that tables' notes have; the star of t* is none of it."""
+    return re.sub(r"(?<!\w)\*(\w[^*]*)\*", r"<em>\1</em>", re.sub(r"`([^`]+)`", r"<code>\1</code>", esc(text)))
 
 
 def cell(content, tag="td", kind="", name=""):
