@@ -8,7 +8,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import channel, convergence  # noqa: E402
+from lib import case, channel  # noqa: E402
 from lib.channel import NU, SPEED, TERMS, WIDTH  # noqa: E402
 
 
@@ -21,7 +21,7 @@ def velocity(y, t):
     return u
 
 
-CASE = channel.make_case("Couette flow", FOLDER, velocity)
+CASE = channel.make_case("Couette flow", FOLDER, "viscosity, a moving wall without slip", velocity)
 
 if __name__ == "__main__":
-    sys.exit(convergence.main(CASE))
+    sys.exit(case.main(CASE))

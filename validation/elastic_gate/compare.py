@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Holds a run of the elastic gate against the published curves: tables, criteria with a verdict, pictures.
+"""Runs the elastic gate with the paper's scheme at the paper's resolution; compares its free end with the published curves.
 
-The exit code is 0 if every criterion is met, 1 if not, 2 if the run cannot be read.
+With --run DIR it takes the run that is in DIR as it is (run.sh does), prints all that is measured and draws beside it. The exit
+code is 0 if every criterion is met, 1 if not, 2 if the run cannot be read.
 """
 import argparse
 import sys
@@ -9,46 +10,72 @@ from pathlib import Path
 
 import numpy as np
 
-CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parent))
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
 
+import curves  # noqa: E402
 import figures  # noqa: E402
 import measures  # noqa: E402
-from lib.curves import faster_than, peak, read_reference, rms, rms_difference  # noqa: E402
+from curves import NOISE_PERIOD, SOURCES, WINDOW  # noqa: E402
+from lib import case  # noqa: E402
+from lib.case import Figure, Result, Run, Table  # noqa: E402
+from lib.curves import faster_than, rms  # noqa: E402
+from lib.markdown import number  # noqa: E402
 from lib.run_output import RunError, RunOutput  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
-WINDOW = (0.04, 0.36)   # s: both digitisations of the experiment cover it
-SOURCES = (("exp1", "experiment, digitisation 1"), ("exp2", "experiment, digitisation 2"),
-           ("mean", "experiment, mean of both"), ("paper_sph", "Antoci 2007, SPH"),
-           ("yang2012", "Yang 2012, SPH-FEM"), ("khayyer2018", "Khayyer 2018, ISPH-SPH"),
-           ("ng2020", "Ng 2020, SPH-VCPM"))
-NOISE_PERIOD = 5e-3     # s: pressure fluctuations are what a moving average over this leaves
 ENERGIES = ("kinetic", "potential", "compression", "elastic")
+QUICK = {"method.spacing": "0.00125", "output.end": 0.1}  # four particles across; nearly to the peak
+QUICK_WINDOW = (0.02, 0.1)  # s
+QUICK_LIMITS = {"x": 1.2, "y": 1.9}  # mm RMS to the paper's own curve: 0.75 and 1.5; with three quarters of E 1.6 and 2.3
 
 
-def experiment_mean(reference):
-    """Mean of the two digitisations, or the one that has a value."""
-    mean = {}
-    for component in "xy":
-        both = np.array([reference[f"exp1_{component}"], reference[f"exp2_{component}"]])
-        count = np.isfinite(both).sum(axis=0)
-        mean[component] = np.where(count > 0, np.nansum(both, axis=0) / np.maximum(count, 1), np.nan)
-    return mean
+def plan(quick):
+    return [Run("paper", QUICK if quick else {})]
 
 
-def deviations(run, reference, mean):
-    """Per source: RMS of x and y, and how far the peak of x is off in height and time. [mm, s]"""
-    time = reference["t_s"]
-    ours = {c: 1e3 * run.probe(f"free_end.{c}") for c in "xy"}
-    our_peak = peak(run.time, ours["x"])
-    rows = {}
-    for name, _ in SOURCES:
-        theirs = {c: mean[c] if name == "mean" else reference[f"{name}_{c}"] for c in "xy"}
-        their_peak = peak(time, theirs["x"])
-        rows[name] = [rms_difference(run.time, ours[c], time, theirs[c], *WINDOW) for c in "xy"]
-        rows[name] += [their_peak[1], our_peak[1] - their_peak[1], our_peak[0] - their_peak[0]]
-    return our_peak, rows
+def study(done):
+    run = done.runs["paper"]
+    reference, mean = curves.published()
+    window = QUICK_WINDOW if done.quick else WINDOW
+    our_peak, rows = curves.deviations(run, reference, mean, window)
+    frames = measures.measure(run)
+    flow, displacement, stress = (done.folder / name for name in ("flow.png", "displacement.svg", "stress.png"))
+    figures.draw_flow(run, flow)
+    figures.draw_displacement([("sluice", run)], reference, mean, displacement)
+    figures.draw_stress(run, stress)
+    return Result(
+        judge_quick(run, rows, frames) if done.quick else judge(run, our_peak, rows, frames),
+        errors=[(f"free end to {label}, RMS x / y", f"{number(rows[name][0], 1)} / {number(rows[name][1], 1)} mm")
+                for name, label in (("mean", "the experiment"), ("paper_sph", "the paper's SPH"))],
+        tables=[deviation_table(our_peak, rows, window), energy_table(run)],
+        figures=[Figure(flow, "Frames like the paper's Fig. 13: pressure of the water, von Mises stress in the gate.", "flow.png"),
+                 Figure(displacement, "Free end of the gate. The experiment's mean of two digitisations with its uncertainty of "
+                                      f"± {figures.EXPERIMENT_ERROR:g} mm (grey), the paper's simulation and later ones.",
+                        "displacement.svg"),
+                 Figure(stress, "Stresses in the gate, like the paper's Figs. 16–18.")],
+        measures={} if done.quick else {"peak of x": f"{our_peak[1]:.1f} mm"})
+
+
+def judge_quick(run, rows, frames):
+    verdict = Verdict()
+    for i, (component, limit) in enumerate(QUICK_LIMITS.items()):
+        verdict.limit(f"RMS of {component} against the paper's SPH, early", rows["paper_sph"][i], "mm", high=limit)
+    judge_water(verdict, run, frames)
+    return verdict
+
+
+def deviation_table(our_peak, rows, window):
+    return Table(f"Free end, {window[0]:g} to {window[1]:g} s; our peak of x: {our_peak[1]:.1f} mm at {our_peak[0]:.3f} s",
+                 ["", "RMS x [mm]", "RMS y [mm]", "their peak [mm]", "ours off by [mm]", "later by [s]"],
+                 [[label, number(rx, 1), number(ry, 1), number(top, 1), f"{off:+.1f}", f"{later:+.3f}"]
+                  for (_, label), (rx, ry, top, off, later) in zip(SOURCES, rows.values())])
+
+
+def energy_table(run):
+    parts = {name: run.probe(f"energy.{name}") for name in (*ENERGIES, "total")}
+    return Table("Energy [J/m]", ["", *parts], [[f"t = {run.time[i]:.2g} s"] + [number(part[i], 3) for part in parts.values()]
+                                                 for i in (0, -1)])
 
 
 def print_deviations(run, our_peak, rows):
@@ -71,13 +98,17 @@ def judge(run, our_peak, rows, frames):
     verdict.limit("RMS of x against the experiment", rows["mean"][0], "mm", high=6)
     verdict.limit("RMS of y against the experiment", rows["mean"][1], "mm", high=4)
     verdict.limit("peak of x", our_peak[1], "mm", low=41, high=51)
+    judge_water(verdict, run, frames)
+    return verdict
+
+
+def judge_water(verdict, run, frames):
     verdict.none_of("water particles inside the gate, worst frame", max(frames.inside, default=None))
     verdict.none_of("water particles behind the gate, worst frame", max(frames.behind, default=None))
     verdict.none_of("water particles gone through it, all frames", sum(frames.tunnelled) if frames.time else None)
     fastest = run.summary.get("max_speed")  # null after a numerical failure
     verdict.limit("fastest water particle, all steps", fastest, "m/s", high=measures.SPEED_LIMIT)
     verdict.limit("momentum lost between water and gate", run.summary.get("momentum_residual"), "", high=1e-12)
-    return verdict
 
 
 def print_measured(run, frames):
@@ -134,21 +165,24 @@ def _number(value):
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("folder", help="folder of the run")
+    arguments = argparse.ArgumentParser(add_help=False)
+    arguments.add_argument("--run", metavar="DIR")
     arguments.add_argument("--quiet", action="store_true", help="only the criteria and the verdict, no pictures")
-    options = arguments.parse_args()
+    options, others = arguments.parse_known_args()
+    if options.run is None:
+        return case.main(CASE)
+    if others:
+        arguments.error(f"with --run DIR there is no {others[0]}")
     try:
-        return compare(RunOutput(options.folder), options.quiet)
+        return compare(RunOutput(options.run), options.quiet)
     except RunError as error:
         print(f"Elastic gate: cannot compare: {error}", file=sys.stderr)
         return 2
 
 
 def compare(run, quiet):
-    reference = read_reference(CASE / "reference.csv")
-    mean = experiment_mean(reference)
-    our_peak, rows = deviations(run, reference, mean)
+    reference, mean = curves.published()
+    our_peak, rows = curves.deviations(run, reference, mean)
     frames = measures.measure(run) if len(run.frame_times()) else measures.GateMeasures()
     if not quiet:
         print_deviations(run, our_peak, rows)
@@ -165,6 +199,9 @@ def compare(run, quiet):
             print(f"          {run.folder / 'flow.png'}\n          {run.folder / 'stress.png'}")
     return verdict.close("Elastic gate")
 
+
+CASE = case.Case("Elastic gate, the paper's scheme", FOLDER, "fluid, solid and interface together",
+                 "experiment and simulation of Antoci 2007; Yang 2012; Khayyer 2018; Ng 2020", plan, study)
 
 if __name__ == "__main__":
     sys.exit(main())

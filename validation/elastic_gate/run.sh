@@ -10,4 +10,4 @@ results=${1:-$root/results/elastic_gate}
 cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build "$root/build" --target sluice_command
 "$root/build/bin/sluice" run "$root/validation/elastic_gate/scene.toml" -o "$results" "$@"
-/usr/bin/python3 "$root/validation/elastic_gate/compare.py" "$results"
+/usr/bin/python3 "$root/validation/elastic_gate/compare.py" --run "$results"

@@ -8,7 +8,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import convergence, style  # noqa: E402
+from lib import case, convergence, style  # noqa: E402
 from lib.run_output import FLUID  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
@@ -75,10 +75,13 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Hydrostatic column", FOLDER, ("H/d", DEPTH), (20, 40, 80),
+    "Hydrostatic column", FOLDER, "water at rest stays at rest, with its pressure", "p = ρ g (H − y)",
+    across=("H/d", DEPTH), counts=(20, 40, 80),
     errors=("floor pressure", "pressure, L2", "level"),
     others=(("floor p / exact", 4), ("slope / exact", 4), ("log10 of it", 1), ("log10, last 5 s", 1), ("fastest [mm/s]", 1)),
-    measure=measure, judge=judge, draw=draw)
+    measure=measure, judge=judge, draw=draw,
+    caption="Left: kinetic energy over the potential energy above the floor. Right: error of the pressure in the last five seconds.",
+    quick_counts=(20,), quick_limits={"pressure, L2": 0.01, "level": 0.01, "log10, last 5 s": -5.5})
 
 if __name__ == "__main__":
-    sys.exit(convergence.main(CASE))
+    sys.exit(case.main(CASE))

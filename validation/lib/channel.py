@@ -22,7 +22,7 @@ def errors(frame, exact):
     return np.sqrt(((u - exact(y, frame.time)) ** 2).mean()) / SPEED, np.abs(v).max() / SPEED
 
 
-def make_case(title, folder, exact):
+def make_case(title, folder, proves, exact):
     def measure(run):
         early, _ = errors(run.frame_near(EARLY), exact)
         last = list(run.frames())[-1]
@@ -54,5 +54,8 @@ def make_case(title, folder, exact):
         style.save(figure, path)
 
     return convergence.Case(
-        title, folder, ("L/d", WIDTH), (20, 40, 80), errors=("u at 0.5 s, L2", "u at the end, L2"),
-        others=(("mean u / exact", 4), ("fastest across, of U", 4)), measure=measure, judge=judge, draw=draw)
+        title, folder, proves, "series in time", across=("L/d", WIDTH), counts=(20, 40, 80),
+        errors=("u at 0.5 s, L2", "u at the end, L2"), others=(("mean u / exact", 4), ("fastest across, of U", 4)),
+        measure=measure, judge=judge, draw=draw,
+        caption=f"Velocity across the channel at {EARLY:g} s, {2 * EARLY:g} s and the end, every particle, against the series.",
+        quick_counts=(20,), quick_limits={"u at 0.5 s, L2": 0.005, "u at the end, L2": 0.01})

@@ -1,46 +1,95 @@
-"""Cases with an analytic solution: runs at several spacings, errors, and how fast they fall."""
-import argparse
+"""Cases with a solution to be wrong by: runs at several spacings, errors, and how fast they fall."""
 import math
-import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Callable
 
-from lib import runs
-from lib.markdown import number, table
-from lib.run_output import RunError, RunOutput
+from lib import case, runs
+from lib.markdown import number
+from lib.run_output import RunOutput
+from lib.verdict import Verdict
 
 SPACING = "method.spacing"
 FLOOR = 0.005  # what the sums over neighbours leave at a fixed h/d, however small d is; README.md has the figures
 
 
-@dataclass
-class Case:
+@dataclass(frozen=True)
+class Case(case.Named):
     title: str
     folder: Path            # with scene.toml
+    proves: str
+    against: str
     across: tuple           # what counts the spacings, and the length that it divides: ("L/d", 1.0) [m]
     counts: tuple           # particles across, coarse to fine
-    errors: tuple           # names of relative errors; each gets an order
+    errors: tuple           # names of relative errors, the main one first; each gets an order
     others: tuple           # (name, digits) of what is shown beside them
     measure: Callable       # RunOutput -> {name: value}
     judge: Callable         # Study -> Verdict
-    draw: Callable          # Study, path
+    draw: Callable          # Study, path of an SVG
+    caption: str            # of what is drawn
+    quick_counts: tuple
+    quick_limits: dict = field(default_factory=dict)  # name of an error or of what is beside it -> the most that it may be
+    judge_quick: Callable = None                      # Study -> Verdict, where most-that-it-may-be does not do
+    part: str = ""
+    scene: str = "scene.toml"
+    settings: dict = field(default_factory=dict)        # changes of the scene beside its spacing,
+    quick_settings: dict = field(default_factory=dict)  # and of the quick form: an earlier end
+    stored: str = ""        # name of the figure beside the scene, for the README to show
+
+    def plan(self, quick):
+        changes = self.quick_settings if quick else self.settings
+        return runs_at("across", self.across[1], self.counts_for(quick), changes, self.scene)
+
+    def counts_for(self, quick):
+        return self.quick_counts if quick else self.counts
+
+    def study(self, done):
+        study = Study(self, self.counts_for(done.quick), list(done.runs.values()))
+        verdict = (self.judge_quick or self._within_limits)(study) if done.quick else self.judge(study)
+        picture = done.folder / "figure.svg"
+        self.draw(study, picture)
+        return case.Result(
+            verdict, errors=[(name, f"{percent(study.finest[name])} %") for name in self.errors],
+            tables=[study.table()], figures=[case.Figure(picture, self.caption, self.stored)],
+            convergence=[case.Errors(name, list(study.counts), [abs(value[name]) for value in study.values])
+                         for name in self.errors])
+
+    def _within_limits(self, study):
+        verdict = Verdict()
+        for name, limit in self.quick_limits.items():
+            if name in self.errors:
+                verdict.limit(f"{name}, {self.across[0]} = {study.counts[-1]}", 100 * study.finest[name], "%", high=100 * limit)
+            else:
+                verdict.limit(f"{name}, {self.across[0]} = {study.counts[-1]}", study.finest[name], "", high=limit)
+        return verdict
+
+
+def runs_at(name, length, counts, settings=None, scene="scene.toml"):
+    """Runs name_N with N spacings to the length, for each of the counts."""
+    return [case.Run(f"{name}_{n}", {SPACING: f"{length / n:.10g}", **(settings or {})}, scene) for n in counts]
+
+
+@dataclass(frozen=True)
+class Measured:
+    """One of several scenes of a case: what a Study needs to know of it."""
+    title: str
+    across: tuple
+    errors: tuple
+    others: tuple
+    measure: Callable
+
+
+def study_at(measured, name, counts, done):
+    """Of a scene whose runs runs_at planned under this name."""
+    return Study(measured, counts, [done.runs[f"{name}_{n}"] for n in counts])
 
 
 class Study:
-    """Runs of a case's scene at its spacings, each measured to a dictionary of numbers."""
+    """Runs at several spacings, each measured to a dictionary of numbers. case_: a Case, or Measured."""
 
-    def __init__(self, case, folder, sluice=runs.SLUICE, settings=None, threads="1", counts=None):
-        self.case, self.counts, self.values, self.runs = case, counts or case.counts, [], []
-        for count in self.counts:
-            at = Path(folder) / f"across_{count}"
-            changes = {SPACING: f"{case.across[1] / count:.10g}", **(settings or {})}
-            runs.run(case.folder / "scene.toml", at, changes, sluice, ["--threads", threads])
-            run = RunOutput(at)
-            if run.summary["status"] != "done":
-                raise RunError(f"{at}: {run.summary['status']} at t = {run.summary['simulated_time']:.3g} s")
-            self.runs.append(run)
-            self.values.append({**case.measure(run), "CPU [s]": run.summary["cpu_seconds"]})
+    def __init__(self, case_, counts, outputs):
+        self.case, self.counts, self.runs = case_, counts, outputs
+        self.values = [{**case_.measure(run), "CPU [s]": run.summary["cpu_seconds"]} for run in outputs]
 
     @property
     def finest(self):
@@ -63,7 +112,7 @@ class Study:
         else:
             verdict.limit(f"{error}: order, last", self.order(error), "", low=1)
 
-    def markdown(self):
+    def table(self, title="Spacings"):
         header = [self.case.across[0]]
         for error in self.case.errors:
             header += [f"{error} [%]", "order"]
@@ -74,41 +123,20 @@ class Study:
             for error in self.case.errors:
                 row += [percent(value[error]), number(self.order(error, i), 2)]
             rows.append(row + [number(value[name], digits) for name, digits in (*self.case.others, ("CPU [s]", 1))])
-        return table(header, rows)
+        note = "Order: between a row's spacing and the one above it." if self.case.errors else ""
+        return case.Table(title, header, rows, note)
+
+
+def study_of(case_, folder, settings, options, counts):
+    """The case's scene with changed settings, at these counts; for the scripts that vary more than the spacing."""
+    outputs, words = [], ["--threads", options.threads]
+    for count in counts:
+        changes = {SPACING: f"{case_.across[1] / count:.10g}", **settings}
+        runs.run(case_.folder / "scene.toml", Path(folder) / f"across_{count}", changes, options.sluice, words)
+        outputs.append(RunOutput(Path(folder) / f"across_{count}"))
+    return Study(case_, counts, outputs)
 
 
 def percent(value):
     """A share in percent, with three digits."""
     return "–" if value is None or value != value else f"{100 * value:.3g}"
-
-
-def arguments(description, folder):
-    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", default=folder, type=Path, help="folder of the runs [%(default)s]")
-    parser.add_argument("--sluice", default=runs.SLUICE, type=Path, help="the program to run")
-    parser.add_argument("--threads", default="1")
-    return parser
-
-
-def run_case(case, options, settings=None):
-    """Runs, prints and draws a case. Returns its study and its verdict."""
-    study = Study(case, options.folder, options.sluice, settings, options.threads)
-    print(f"\n{study.markdown()}")
-    verdict = case.judge(study)
-    verdict.print_table()
-    case.draw(study, options.folder / "figure.png")
-    print(f"Picture: {options.folder / 'figure.png'}")
-    return study, verdict
-
-
-def main(case):
-    """The command of one case: exit code 0 if its criteria are met, 1 if not, 2 if a run failed."""
-    parser = arguments(sys.modules["__main__"].__doc__, runs.ROOT / "results" / case.folder.name)
-    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value of the scene")
-    options = parser.parse_args()
-    try:
-        _, verdict = run_case(case, options, dict(change.split("=", 1) for change in options.set))
-    except RunError as error:
-        print(f"{case.title}: cannot compare: {error}", file=sys.stderr)
-        return 2
-    return verdict.close(case.title)

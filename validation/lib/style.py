@@ -3,11 +3,15 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+from matplotlib.collections import PathCollection, QuadMesh  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
 
 BLACK, ORANGE, SKY, GREEN, YELLOW, BLUE, VERMILION, PURPLE = (
     "#000000", "#e69f00", "#56b4e9", "#009e73", "#f0e442", "#0072b2", "#d55e00", "#cc79a7")
 WALL_GREY = "#8a8a8a"
+COARSE_TO_FINE = (GREEN, ORANGE, SKY, BLUE)  # of up to four spacings; the finest is always blue
+MANY = 200  # dots: from here on an SVG holds them as a picture, not one by one
 
 
 def shortened(name, start, end):
@@ -38,9 +42,22 @@ def scale(colours, low, high):
 
 def save(figure, path):
     """Without a date, so that the same run gives the same file."""
-    metadata = {"Date": None} if str(path).endswith(".svg") else None
+    is_svg = str(path).endswith(".svg")
+    for axes in figure.axes if is_svg else ():
+        for artist in axes.get_children():
+            artist.set_rasterized(isinstance(artist, QuadMesh) or _dots(artist) > MANY)  # a colour bar's cells show seams
+    metadata = {"Date": None} if is_svg else None
     figure.savefig(path, metadata=metadata)
     plt.close(figure)
+
+
+def _dots(artist):
+    """How many markers an artist draws: a scatter, or a curve of markers without a line."""
+    if isinstance(artist, PathCollection):
+        return len(artist.get_offsets())
+    if isinstance(artist, Line2D) and artist.get_linestyle() == "None":
+        return len(artist.get_xdata())
+    return 0
 
 
 def dot_area(axes, spacing):

@@ -8,7 +8,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import convergence, style  # noqa: E402
+from lib import case, convergence, style  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
 STRAIN, RADIUS, DENSITY = 1.0, 1.0, 1000.0
@@ -102,10 +102,13 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Elliptical drop", FOLDER, ("R/d", RADIUS), (25, 50, 100),
+    "Elliptical drop", FOLDER, "a free surface under large strain", "elliptical drop, ordinary differential equations",
+    across=("R/d", RADIUS), counts=(25, 50, 100),
     errors=("velocity, L2", "semi-axis a", "semi-axis b"),
     others=(("a b / R²", 4), ("outermost y / b", 4), ("kinetic energy kept", 4), ("pressure, L2 / exact", 3)),
-    measure=measure, judge=judge, draw=draw)
+    measure=measure, judge=judge, draw=draw,
+    caption="Left: semi-axes against the exact ones. Right: pressure at the end with the finest spacing, and the exact outline.",
+    quick_counts=(25, 50), quick_limits={"velocity, L2": 0.02, "semi-axis b": 0.005})
 
 if __name__ == "__main__":
-    sys.exit(convergence.main(CASE))
+    sys.exit(case.main(CASE))

@@ -12,8 +12,8 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import eigsh
 
-CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parent))
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
 
 from lib.beams import Plate, timoshenko_period  # noqa: E402
 
@@ -61,7 +61,7 @@ def main():
         plate = Plate.with_moduli(slenderness * HEIGHT, HEIGHT, DENSITY, BULK, SHEAR)
         ratios = [first_period(plate, *mesh) / timoshenko_period(plate) for mesh in MESHES]
         text += f"{slenderness}," + ",".join(f"{r:.5f}" for r in ratios) + "\n"
-    (CASE / "reference_plane_elasticity.csv").write_text(text)
+    (FOLDER / "reference_plane_elasticity.csv").write_text(text)
     print(text)
 
 

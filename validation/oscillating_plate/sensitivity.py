@@ -1,14 +1,13 @@
 #!/usr/bin/python3
 """The sensitivities of the paper's section 2.4: spacing, artificial stress e, artificial viscosity alpha, filter theta.
 
-Writes results.md beside this file. Runs that are done are not run again.
+Writes sensitivity.md beside this file. Runs that are done are not run again.
 """
-import argparse
 import sys
 from pathlib import Path
 
-CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parent))
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
 
 from lib import runs  # noqa: E402
 from lib.curves import read_reference  # noqa: E402
@@ -34,13 +33,9 @@ GROUPS = (
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("folder", nargs="?", default=runs.ROOT / "results" / "oscillating_plate", type=Path)
-    arguments.add_argument("--sluice", default=runs.SLUICE, type=Path, help="the program to run")
-    arguments.add_argument("--threads", default="1")
-    options = arguments.parse_args()
-    reference = read_reference(CASE / "reference.csv")
-    parts = ["# Oscillating plate: results\n\nWritten by `validation/oscillating_plate/sensitivity.py`. First oscillation "
+    options = runs.sweep_parser(__doc__, "oscillating_plate_sensitivity").parse_args()
+    reference = read_reference(FOLDER / "reference.csv")
+    parts = ["# Oscillating plate: sensitivities\n\nWritten by `validation/oscillating_plate/sensitivity.py`. First oscillation "
              "of the free end; the paper does not say which spacing and which h its values belong to. With e = 0.3 and "
              "hardly any artificial viscosity the plate's root breaks up, at the same time for any time step (Courant "
              "0.9, 0.6, 0.3): the artificial stress drives short waves that only viscosity damps.\n"]
@@ -50,7 +45,7 @@ def main():
                  for name, a, t in zip(reference["source"], reference["amplitude"], reference["period"])]
         parts.append(f"## {title}\n\n" + table(["", "across", "A/L", "first trough /L", "T c0/L", "CPU [s]"], rows))
     text = "\n".join(parts)
-    (CASE / "results.md").write_text(text)
+    (FOLDER / "sensitivity.md").write_text(text)
     print(text)
 
 
@@ -59,7 +54,7 @@ def row(options, across, changes):
     name = "_".join([f"across_{across}"] + [f"{SHORT[k].replace('/', '')}_{v}" for k, v in changes.items()])
     settings = {SPACING: f"{HEIGHT / across:.10g}", **changes, "output.frame_interval": 0}
     folder = options.folder / name
-    runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
+    runs.run(FOLDER / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
     run = RunOutput(folder)
     if run.summary["status"] != "done":
         return [label, across, f"breaks down at t = {run.summary['simulated_time']:.3f} s", "–", "–", "–"]

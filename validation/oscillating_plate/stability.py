@@ -6,15 +6,14 @@ in a failure or has ten times its energy after STEPS steps. (Stable runs gain a 
 kick-drift-kick keeps differs from the energy by a part (omega dt/2)^2, which is near 1 for the shortest waves.) Writes
 results_stability.md beside this file.
 """
-import argparse
 import json
 import sys
 from pathlib import Path
 
 import numpy as np
 
-CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parent))
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
 
 from lib import runs  # noqa: E402
 from lib.beams import Plate, timoshenko_period  # noqa: E402
@@ -34,11 +33,7 @@ LAW = {"materials.elastic.model": "st-venant-kirchhoff", "method.solid.artificia
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("folder", nargs="?", default=runs.ROOT / "results" / "plate_stability", type=Path)
-    arguments.add_argument("--sluice", default=runs.SLUICE, type=Path, help="the program to run")
-    arguments.add_argument("--threads", default="1")
-    options = arguments.parse_args()
+    options = runs.sweep_parser(__doc__, "plate_stability").parse_args()
     parts = ["# Oscillating plate: stability and energy\n\nWritten by `validation/oscillating_plate/stability.py`; Δt = "
              "courant · min(h, 1.2 d)/c with c = √((λ + 2μ)/ρ), ν = 0.4, kick-drift-kick.\n",
              "## Largest stable method.courant\n\nBetween the two numbers: the first ran, the second did not.\n",
@@ -47,7 +42,7 @@ def main():
              "largest less smallest. *Drift*: mean over the last five periods less mean over the first five.\n",
              table(["", "h/d", "courant", "span", "drift", "steps"], [drift(options, *case) for case in DRIFTS])]
     text = "\n".join(parts)
-    (CASE / "results_stability.md").write_text(text)
+    (FOLDER / "results_stability.md").write_text(text)
     print(text)
 
 
@@ -77,7 +72,7 @@ def stable(options, kernel, smoothing, courant):
                 "probes.free_end.at": f"[{LENGTH}, 0]", "bodies.plate.velocity": ROUGH, "output.end": f"{end:.4g}",
                 "output.probe_interval": f"{end / 50:.4g}"}
     folder = options.folder / f"{kernel}_{smoothing}_{courant}"
-    runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
+    runs.run(FOLDER / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
     summary = json.loads((folder / "summary.json").read_text())
     if summary["status"] != "done":
         return False
@@ -91,7 +86,7 @@ def drift(options, kernel, smoothing, courant):
                 "method.spacing": f"{HEIGHT / 6:.10g}", "output.end": f"{PERIODS * period:.4g}",
                 "output.probe_interval": f"{period / 50:.4g}"}
     folder = options.folder / f"energy_{kernel}_{smoothing}_{courant}"
-    runs.run(CASE / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
+    runs.run(FOLDER / "scene.toml", folder, settings, options.sluice, ["--threads", options.threads])
     run = RunOutput(folder)
     total = run.probe("energy.total") / run.probe("energy.total")[0] - 1
     early, late = total[run.time < 5 * period].mean(), total[run.time > run.time[-1] - 5 * period].mean()

@@ -8,7 +8,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import channel, convergence  # noqa: E402
+from lib import case, channel  # noqa: E402
 from lib.channel import NU, SPEED, TERMS, WIDTH  # noqa: E402
 
 FORCE = 8 * NU * SPEED / WIDTH ** 2  # per mass [m/s²]
@@ -25,7 +25,7 @@ def velocity(y, t):
     return u
 
 
-CASE = channel.make_case("Poiseuille flow", FOLDER, velocity)
+CASE = channel.make_case("Poiseuille flow", FOLDER, "viscosity, walls without slip, a driving force", velocity)
 
 if __name__ == "__main__":
-    sys.exit(convergence.main(CASE))
+    sys.exit(case.main(CASE))

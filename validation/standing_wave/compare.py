@@ -8,7 +8,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import convergence, style  # noqa: E402
+from lib import case, convergence, style  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
 G, K, DEPTH, NU = 9.81, 2 * np.pi, 0.5, 0.002
@@ -100,9 +100,12 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Standing wave", FOLDER, ("H/d", DEPTH), (20, 40, 80),
+    "Standing wave", FOLDER, "gravity waves, viscosity at a free surface", "the linearised Navier–Stokes equations",
+    across=("H/d", DEPTH), counts=(20, 40, 80),
     errors=("velocity of the wave, L2", "period", "damping"),
-    others=(("period / exact", 4), ("damping / exact", 3)), measure=measure, judge=judge, draw=draw)
+    others=(("period / exact", 4), ("damping / exact", 3)), measure=measure, judge=judge, draw=draw,
+    caption="The wave's share of the particles' velocities against linear theory.",
+    quick_counts=(20,), quick_limits={"velocity of the wave, L2": 0.03, "damping": 0.05})
 
 if __name__ == "__main__":
-    sys.exit(convergence.main(CASE))
+    sys.exit(case.main(CASE))

@@ -8,7 +8,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 
-from lib import convergence, style  # noqa: E402
+from lib import case, convergence, style  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
 
 U, K, NU, DENSITY = 1.0, 2 * np.pi, 0.01, 1.0
@@ -77,10 +77,13 @@ def draw(study, path):
 
 
 CASE = convergence.Case(
-    "Taylor-Green vortices", FOLDER, ("L/d", 1.0), (50, 100, 200),
+    "Taylor-Green vortices", FOLDER, "the fluid without walls: viscosity, shifting, pressure", "the solution of the Navier–Stokes equations",
+    across=("L/d", 1.0), counts=(50, 100, 200),
     errors=("velocity, L2", "decay rate of the energy"),
     others=(("E / exact", 4), ("pressure noise / exact RMS", 3), ("mean p [Pa]", 2)),
-    measure=measure, judge=judge, draw=draw)
+    measure=measure, judge=judge, draw=draw,
+    caption="Left: decay of the kinetic energy against the exact one. Right: pressure at the end with the finest spacing.",
+    quick_counts=(50, 100), quick_limits={"velocity, L2": 0.01, "decay rate of the energy": 0.01})
 
 if __name__ == "__main__":
-    sys.exit(convergence.main(CASE))
+    sys.exit(case.main(CASE))

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What the Taylor-Green vortices owe to smoothing function and length, particle shifting and the other effects.
 
-Writes results.md beside this file. Runs that are done are not run again.
+Writes sensitivity.md beside this file. Runs that are done are not run again.
 """
 import json
 import sys
@@ -36,17 +36,17 @@ GROUPS = (
 
 
 def main():
-    parser = convergence.arguments(__doc__, runs.ROOT / "results" / "taylor_green_sensitivity")
+    parser = runs.sweep_parser(__doc__, "taylor_green_sensitivity")
     parser.add_argument("--no-runs", action="store_true", help="take what is done, and leave the rest open")
     options = parser.parse_args()
-    parts = ["# Taylor-Green vortices: results\n\nWritten by `validation/taylor_green/sensitivity.py`. Per L/d: L2 error of "
+    parts = ["# Taylor-Green vortices: sensitivities\n\nWritten by `validation/taylor_green/sensitivity.py`. Per L/d: L2 error of "
              "the velocity in percent, rate of decay of the kinetic energy over the exact one, and last the error of the "
              "pressure (without its mean) over the pressure's own RMS. A dash: not run.\n"]
     for title, cases in GROUPS:
         header = [""] + [f"{what} {n}" for n in ALL for what in ("L2 [%]", "rate", "p")] + ["CPU [s]"]
         parts.append(f"## {title}\n\n" + table(header, [row(options, counts, changes) for counts, changes in cases]))
     text = "\n".join(parts)
-    (FOLDER / "results.md").write_text(text)
+    (FOLDER / "sensitivity.md").write_text(text)
     print(text)
 
 
@@ -56,7 +56,7 @@ def row(options, counts, changes):
     wanted = counts
     if options.no_runs:
         counts = [count for count in counts if done(folder / f"across_{count}")]
-    study = convergence.Study(CASE, folder, options.sluice, changes, options.threads, counts) if counts else None
+    study = convergence.study_of(CASE, folder, changes, options, counts) if counts else None
     cells = [label]
     for value in study.values if study else ():
         cells += [convergence.percent(value["velocity, L2"]), number(value["rate / exact"], 3),
