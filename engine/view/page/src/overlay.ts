@@ -1,0 +1,124 @@
+// Lines and words over the picture: rulers and walls in 2D, the box and the axes in 3D, the picked particle.
+import type { Camera, Vec3 } from "./camera";
+import { cssColor } from "./dom";
+import { decimals, evenStep, shownUnit } from "./numbers";
+import type { Run } from "./run";
+
+/** Between the rulers' labels [px]. */
+const labelDistance = 90;
+const font = '11px system-ui, "Segoe UI", Helvetica, Arial, "Liberation Sans", sans-serif';
+
+export class Overlay {
+    private readonly context: CanvasRenderingContext2D;
+
+    constructor(private readonly canvas: HTMLCanvasElement) {
+        this.context = canvas.getContext("2d")!;
+    }
+
+    draw(camera: Camera, run: Run, picked: { place: Vec3; radius: number } | null): void {
+        const { canvas, context } = this;
+        const ratio = window.devicePixelRatio || 1;
+        const [w, h] = [Math.round(camera.width * ratio), Math.round(camera.height * ratio)];
+        if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
+        context.setTransform(ratio, 0, 0, ratio, 0, 0);
+        context.clearRect(0, 0, camera.width, camera.height);
+        context.font = font;
+        context.lineWidth = 1;
+        if (run.dimension === 2) {
+            this.planes(camera, run);
+            this.rulers(camera);
+        } else {
+            this.box(camera, run);
+            this.triad(camera);
+        }
+        if (picked) this.ring(camera, picked);
+    }
+
+    /** Mirror walls are whole planes. */
+    private planes(camera: Camera, run: Run): void {
+        const { context } = this;
+        const clip = camera.clip();
+        const far = camera.width + camera.height;
+        context.strokeStyle = cssColor("--wall");
+        for (const { point, normal } of run.planes) {
+            const [x, y] = camera.project(point, clip);
+            const along = [normal[1], normal[0]]; // on the screen, y points down
+            context.lineWidth = 1.5;
+            this.line(x - far * along[0], y - far * along[1], x + far * along[0], y + far * along[1]);
+        }
+        context.lineWidth = 1;
+    }
+
+    private rulers(camera: Camera): void {
+        const { context } = this;
+        const scale = camera.pixelsPerMetre;
+        const step = evenStep(labelDistance / scale);
+        const { unit, factor } = shownUnit("m", Math.max(camera.width, camera.height) / scale);
+        const digits = decimals(step * factor);
+        const [left, top] = camera.placeAt(0, 0);
+        const [right, bottom] = camera.placeAt(camera.width, camera.height);
+        context.fillStyle = cssColor("--muted");
+        context.strokeStyle = cssColor("--muted");
+        const label = (value: number) => (value * factor).toFixed(digits).replace("-", "−").replace(/^−(0(\.0*)?)$/, "$1");
+        context.textAlign = "center";
+        for (let k = Math.ceil(left / step); k * step <= right; ++k) {
+            const x = Math.round((k * step - left) * scale) + 0.5;
+            this.line(x, camera.height, x, camera.height - 5);
+            if (x > 60 && x < camera.width - 40) context.fillText(label(k * step), x, camera.height - 9);
+        }
+        context.textAlign = "left";
+        for (let k = Math.ceil(bottom / step); k * step <= top; ++k) {
+            const y = Math.round((top - k * step) * scale) + 0.5;
+            this.line(0, y, 5, y);
+            if (y > 40 && y < camera.height - 24) context.fillText(label(k * step), 9, y + 4);
+        }
+        context.fillText(unit, 9, camera.height - 9);
+    }
+
+    private box(camera: Camera, run: Run): void {
+        const clip = camera.clip();
+        const corner = (k: number) => run.bounds.map((range, axis) => range[(k >> axis) & 1]) as Vec3;
+        this.context.strokeStyle = cssColor("--line");
+        for (let k = 0; k < 8; ++k)
+            for (const axis of [1, 2, 4]) {
+                if (k & axis) continue;
+                const [a, b] = [camera.project(corner(k), clip), camera.project(corner(k | axis), clip)];
+                this.line(a[0], a[1], b[0], b[1]);
+            }
+    }
+
+    private triad(camera: Camera): void {
+        const { context } = this;
+        const [x, y, length] = [44, camera.height - 44, 26];
+        context.fillStyle = context.strokeStyle = cssColor("--muted");
+        context.textAlign = "center";
+        camera.triad.forEach(([right, up], axis) => {
+            const [dx, dy] = [right * length, -up * length];
+            this.line(x, y, x + dx, y + dy);
+            context.fillText("xyz"[axis], x + dx * 1.38, y + dy * 1.38 + 4);
+        });
+    }
+
+    private ring(camera: Camera, { place, radius }: { place: Vec3; radius: number }): void {
+        const { context } = this;
+        const [x, y] = camera.project(place, camera.clip());
+        context.strokeStyle = cssColor("--page");
+        context.lineWidth = 4;
+        const arc = () => {
+            context.beginPath();
+            context.arc(x, y, Math.max(6, radius + 3), 0, 2 * Math.PI);
+            context.stroke();
+        };
+        arc();
+        context.strokeStyle = cssColor("--accent");
+        context.lineWidth = 2;
+        arc();
+    }
+
+    private line(x0: number, y0: number, x1: number, y1: number): void {
+        this.context.beginPath();
+        this.context.moveTo(x0, y0);
+        this.context.lineTo(x1, y1);
+        this.context.stroke();
+    }
+}
