@@ -14,7 +14,7 @@ struct ColorMap {
     std::array<std::uint32_t, 17> color;  ///< 0xRRGGBB at equal steps
 };
 
-/// viridis, cividis and inferno (van der Walt, Smith, Firing; Nuñez, Anderton, Renslow 2018), and coolwarm (Moreland
+/// viridis, cividis and plasma (van der Walt, Smith, Firing; Nuñez, Anderton, Renslow 2018), and coolwarm (Moreland
 /// 2009), each at every sixteenth, between which colours are mixed.
 std::span<const ColorMap> color_maps();
 

@@ -67,7 +67,7 @@ export class Colors {
         const signed = isSigned(low, high);
         if (signed) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
         else if (low > 0 && low < 0.1 * high) low = 0; // a speed starts at rest
-        Object.assign(choice, { low, high, automatic: true, map: signed ? "coolwarm" : medium === 1 ? "inferno" : "viridis" });
+        Object.assign(choice, { low, high, automatic: true, map: signed ? "coolwarm" : medium === 1 ? "plasma" : "viridis" });
     }
 
     private show(): void {

@@ -67,7 +67,10 @@ export class Curves {
 
     setTime(time: number): void {
         this.time = time;
-        for (const plot of this.plots) plot.redraw(false);
+        for (const plot of this.plots) {
+            plot.redraw(false);
+            this.showValues(plot);
+        }
     }
 
     private list(): void {
@@ -111,6 +114,7 @@ export class Curves {
             this.plots.push(this.plot(probe, box));
         }
         this.resize();
+        this.setTime(this.time);
     }
 
     private plot(probe: string, box: HTMLElement): uPlot {
@@ -119,7 +123,7 @@ export class Curves {
         const axis = { stroke: cssColor("--muted"), grid: { stroke: cssColor("--line"), width: 1 }, ticks: { show: false } };
         const text = '11px system-ui, "Segoe UI", Helvetica, Arial, "Liberation Sans", sans-serif';
         const options: uPlot.Options = {
-            width: 400, height: height, padding: [10, 14, 0, 0],
+            width: 400, height: height, padding: [10, 22, 0, 0],
             scales: { x: { time: false } },
             axes: [
                 { ...axis, font: text, size: 24, values: (_, ticks) => ticks.map((t) => `${short(t, 4)} s`) },
@@ -134,13 +138,21 @@ export class Curves {
                 })),
             ],
             cursor: { drag: { x: false, y: false }, points: { size: 6 }, y: false },
-            hooks: { draw: [(plot) => this.drawTime(plot)] },
+            hooks: { draw: [(plot) => this.drawTime(plot)], setCursor: [(plot) => this.showValues(plot)] },
         };
         const plot = new uPlot(options, this.data(probe), box);
         const jump = (event: MouseEvent) => this.goTo(plot.posToVal(event.offsetX, "x"));
         plot.over.addEventListener("pointerdown", jump);
         plot.over.addEventListener("pointermove", (event) => event.buttons & 1 && jump(event));
         return plot;
+    }
+
+    /** At the frame's time, unless the mouse asks for those of another. */
+    private showValues(plot: uPlot): void {
+        if ((plot.cursor.left ?? -1) >= 0 || this.table.time.length === 0) return;
+        let after = this.table.time.findIndex((t) => t >= this.time);
+        if (after < 0) after = this.table.time.length - 1;
+        plot.setLegend({ idx: after });
     }
 
     private drawTime(plot: uPlot): void {

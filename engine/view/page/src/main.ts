@@ -37,7 +37,7 @@ class Page {
     private readonly store: FrameStore;
     private readonly camera: Camera;
     private readonly picture: Picture;
-    private readonly overlay = new Overlay(element<HTMLCanvasElement>("overlay"));
+    private readonly overlay = new Overlay(element<HTMLCanvasElement>("underlay"), element<HTMLCanvasElement>("overlay"));
     private readonly colors: Colors;
     private readonly curves: Curves;
     private readonly player: Player;
@@ -131,7 +131,7 @@ class Page {
         this.store.note(index, frame);
         put();
         this.frame = frame;
-        Object.assign(status, { frame: index, particles: frame.count, time: frame.head.time });
+        Object.assign(status, { frame: index, particles: frame.count, time: frame.head.time, fps: this.player.measured });
         this.showCounter();
         element<HTMLInputElement>("slider").value = String(index);
         this.curves.setTime(frame.head.time);

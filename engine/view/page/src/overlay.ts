@@ -1,4 +1,5 @@
-// Lines and words over the picture: rulers and walls in 2D, the box and the axes in 3D, the picked particle.
+// Lines and words behind the particles (rulers and walls in 2D, the box and the axes in 3D), and over them (the picked
+// one).
 import type { Camera, Vec3 } from "./camera";
 import { cssColor } from "./dom";
 import { decimals, evenStep, shownUnit } from "./numbers";
@@ -10,20 +11,15 @@ const font = '11px system-ui, "Segoe UI", Helvetica, Arial, "Liberation Sans", s
 
 export class Overlay {
     private readonly context: CanvasRenderingContext2D;
+    private readonly above: CanvasRenderingContext2D;
 
-    constructor(private readonly canvas: HTMLCanvasElement) {
-        this.context = canvas.getContext("2d")!;
+    constructor(behind: HTMLCanvasElement, above: HTMLCanvasElement) {
+        this.context = behind.getContext("2d")!;
+        this.above = above.getContext("2d")!;
     }
 
     draw(camera: Camera, run: Run, picked: { place: Vec3; radius: number } | null): void {
-        const { canvas, context } = this;
-        const ratio = window.devicePixelRatio || 1;
-        const [w, h] = [Math.round(camera.width * ratio), Math.round(camera.height * ratio)];
-        if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
-        context.setTransform(ratio, 0, 0, ratio, 0, 0);
-        context.clearRect(0, 0, camera.width, camera.height);
-        context.font = font;
-        context.lineWidth = 1;
+        for (const context of [this.context, this.above]) this.clear(context, camera);
         if (run.dimension === 2) {
             this.planes(camera, run);
             this.rulers(camera);
@@ -32,6 +28,17 @@ export class Overlay {
             this.triad(camera);
         }
         if (picked) this.ring(camera, picked);
+    }
+
+    private clear(context: CanvasRenderingContext2D, camera: Camera): void {
+        const ratio = window.devicePixelRatio || 1;
+        const [w, h] = [Math.round(camera.width * ratio), Math.round(camera.height * ratio)];
+        const { canvas } = context;
+        if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
+        context.setTransform(ratio, 0, 0, ratio, 0, 0);
+        context.clearRect(0, 0, camera.width, camera.height);
+        context.font = font;
+        context.lineWidth = 1;
     }
 
     /** Mirror walls are whole planes. */
@@ -100,7 +107,7 @@ export class Overlay {
     }
 
     private ring(camera: Camera, { place, radius }: { place: Vec3; radius: number }): void {
-        const { context } = this;
+        const context = this.above;
         const [x, y] = camera.project(place, camera.clip());
         context.strokeStyle = cssColor("--page");
         context.lineWidth = 4;

@@ -59,6 +59,9 @@ void main() {
     pixel = vec4(min(color.rgb * light, 1.0), 1.0);
 }`;
 
+/** Discs of a spacing's diameter leave a seventh of the plane free; a little larger they read as water. */
+const overlap = 1.15;
+
 /** How a group is drawn; `map` is a row, -1: all of one colour. */
 export interface Look {
     shown: boolean;
@@ -195,7 +198,7 @@ export class Picture {
             if (sz >= 0) gl.disableVertexAttribArray(sz), gl.vertexAttrib1f(sz, 0);
         }
         twgl.setUniforms(this.program, {
-            low: this.box.low, span: this.box.span, clip: camera.clip(), size,
+            low: this.box.low, span: this.box.span, clip: camera.clip(), size: overlap * size,
             pixels: ratio * camera.pixelsPerMetre * camera.eyeDistance, looks: this.looks, maps: this.maps,
         });
         gl.drawArrays(gl.POINTS, 0, this.count);
