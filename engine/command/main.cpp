@@ -19,6 +19,7 @@ constexpr const char* examples = R"(Examples:
   sluice check dam.toml --target-error 3%
   sluice view results/dam
   sluice view results/dam --serve
+  sluice render results/dam --field pressure
 
 A run writes into its folder: scene.toml (what was run), probes.csv, summary.json, and frames/, of which
 ParaView opens frames.hdf.series. Every ten minutes, and when it is stopped by Ctrl-C or `kill`, it writes
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
     sluice::add_check_command(program, chosen);
     sluice::add_study_command(program, chosen);
     sluice::add_view_command(program, chosen);
+    sluice::add_render_command(program, chosen);
     sluice::add_help_command(program, chosen);
     try {
         program.parse(argc, argv);
