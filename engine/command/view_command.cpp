@@ -16,7 +16,7 @@ namespace {
 struct ViewArguments {
     ViewOptions options;
     std::string output;
-    int port = 0;
+    std::string port;  ///< as text: CLI11 takes the 0 of a flag for "no"
 };
 
 constexpr const char* footer =
@@ -49,7 +49,7 @@ ExitCode write_page(const ViewArguments& arguments) {
 
 ExitCode serve(const ViewArguments& arguments) {
     LiveRun run(arguments.options.directory, arguments.options.fields);
-    serve_run(run, arguments.port, [](const std::string& address) {
+    serve_run(run, std::stoi(arguments.port), [](const std::string& address) {
         print(fmt::format("open {} in a browser; Ctrl-C ends it\n", address));
     });
     return ExitCode::done;

@@ -29,7 +29,7 @@ constexpr double overlap = 1.15;
 /// Lengths in pixels of a picture 720 pixels high, and what they become in another.
 struct Layout {
     explicit Layout(const PictureStyle& style) : unit(style.height / 720.0), width(style.width), height(style.height) {
-        box = {62 * unit, 60 * unit, width - 28 * unit, height - 104 * unit};
+        box = {62 * unit, 60 * unit, width - 28 * unit, height - 118 * unit};
         frame = {box.left - 10 * unit, box.top - 10 * unit, box.right + 10 * unit, box.bottom + 10 * unit};
     }
     double unit, width, height;
@@ -51,6 +51,9 @@ std::string words_of(const std::string& field) {
     return words;
 }
 
+/// A hyphen in front of a number as the sign that it stands for.
+std::string with_minus(const std::string& number) { return number.starts_with('-') ? "−" + number.substr(1) : number; }
+
 /// A step of 1, 2 or 5 times a power of ten, at least as large.
 double even_step(double least) {
     const double power = std::pow(10, std::floor(std::log10(least)));
@@ -65,7 +68,7 @@ void draw_rulers(Drawing& drawing, const Projection& to, const Layout& at, const
     const Point zero = to({0, 0, 0});
     const double size = 13 * at.unit;
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step * factor) + 1e-9)));
-    const auto label = [&](double k) { return fmt::format("{:.{}f}", k * step * factor + 0.0, decimals); };
+    const auto label = [&](double k) { return with_minus(fmt::format("{:.{}f}", k * step * factor + 0.0, decimals)); };
     const double base = at.box.bottom + 12 * at.unit, side = at.box.left - 14 * at.unit;
     for (double k = std::ceil((at.box.left - zero[0]) / scale / step); zero[0] + k * step * scale <= at.box.right;
          ++k) {
@@ -150,7 +153,7 @@ void draw_legend(Drawing& drawing, const MediumColors& colors, double left, cons
         const double part = k / 4.0;
         const TextSide side = k == 0 ? TextSide::left : k == 4 ? TextSide::right : TextSide::middle;
         drawing.text(left + part * width, top + 28 * at.unit,
-                     fmt::format("{:.3g}", factor * (colors.low + part * (colors.high - colors.low))), size,
+                     with_minus(fmt::format("{:.3g}", factor * (colors.low + part * (colors.high - colors.low)))), size,
                      palette.muted, side);
     }
 }

@@ -26,7 +26,7 @@ def make_run(program, scene, folder, settings):
     words = [program, "run", str(scene), "-o", str(folder)]
     for setting in settings:
         words += ["--set", setting]
-    subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     subprocess.run([program, "view", str(folder)], check=True, stdout=subprocess.DEVNULL)
 
 

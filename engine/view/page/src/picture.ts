@@ -134,7 +134,7 @@ export class Picture {
     async load(frame: Frame, fields: (string | null)[]): Promise<() => void> {
         const axes = this.run.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
         const places = await Promise.all(axes.map((axis) => frame.steps(axis)));
-        const groups = Float32Array.from(await frame.numbersOf("group"));
+        const groups = new Float32Array(await frame.numbersOf("group"));
         const columns = await Promise.all(
             fields.map((field) => (field && frame.has(field) ? frame.values(field) : undefined)),
         );

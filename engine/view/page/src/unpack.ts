@@ -16,7 +16,7 @@ export interface FrameHead {
 }
 
 const inflate = async (bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> => {
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+    const stream = new Response(bytes).body!.pipeThrough(new DecompressionStream("deflate"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
 };
 
