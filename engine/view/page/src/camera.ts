@@ -22,7 +22,10 @@ export class Camera {
     private readonly front: Vec3;
     untouched = true;
 
-    constructor(private readonly dimension: 2 | 3, up: Vec3) {
+    constructor(
+        private readonly dimension: 2 | 3,
+        up: Vec3,
+    ) {
         // The axis most against gravity is up; a scene may have it along any.
         const axis = dimension === 2 ? 1 : up.reduce((best, u, k) => (Math.abs(u) > Math.abs(up[best]) ? k : best), 0);
         const unit = (k: number, sign = 1): Vec3 => [0, 1, 2].map((j) => (j === k ? sign : 0)) as Vec3;
@@ -35,8 +38,7 @@ export class Camera {
     fit(bounds: Run["bounds"], margin: number): void {
         this.center = bounds.map(([low, high]) => 0.5 * (low + high)) as Vec3;
         const size = bounds.map(([low, high]) => high - low + margin);
-        if (this.dimension === 2)
-            this.span = Math.max(size[1], (size[0] * this.height) / this.width) / fill;
+        if (this.dimension === 2) this.span = Math.max(size[1], (size[0] * this.height) / this.width) / fill;
         else {
             // Seen from the start's direction the corners of the box must lie within the opening.
             this.azimuth = 30 * degree;

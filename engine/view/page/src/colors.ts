@@ -16,18 +16,24 @@ export interface Choice {
 const titles = ["Fluid", "Solid", "Walls"];
 
 /** As engine/view/color_map.cpp has it. */
-const isSigned = (low: number, high: number) => low < 0 && high > 0 && Math.min(-low, high) > 0.2 * Math.max(-low, high);
+const isSigned = (low: number, high: number) =>
+    low < 0 && high > 0 && Math.min(-low, high) > 0.2 * Math.max(-low, high);
 
 export class Colors {
     readonly choices: (Choice | null)[];
     private readonly holder = element("colors");
 
-    constructor(private run: Run, private readonly changed: () => void) {
+    constructor(
+        private run: Run,
+        private readonly changed: () => void,
+    ) {
         const starts = [["speed", "pressure"], ["von_mises", "speed"], []];
         this.choices = media.map((_, m) => {
             if (!run.groups.some((group) => group.medium === m)) return null;
-            const field = starts[m].find((name) => this.offered(m).some((f) => f.name === name)) ??
-                (m < 2 ? this.offered(m)[0]?.name : null) ?? null;
+            const field =
+                starts[m].find((name) => this.offered(m).some((f) => f.name === name)) ??
+                (m < 2 ? this.offered(m)[0]?.name : null) ??
+                null;
             const choice = { field, map: "viridis", low: 0, high: 1, automatic: true };
             this.spread(choice, m);
             return choice;
@@ -67,19 +73,28 @@ export class Colors {
         const signed = isSigned(low, high);
         if (signed) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
         else if (low > 0 && low < 0.1 * high) low = 0; // a speed starts at rest
-        Object.assign(choice, { low, high, automatic: true, map: signed ? "coolwarm" : medium === 1 ? "plasma" : "viridis" });
+        Object.assign(choice, {
+            low,
+            high,
+            automatic: true,
+            map: signed ? "coolwarm" : medium === 1 ? "plasma" : "viridis",
+        });
     }
 
     private show(): void {
         this.holder.replaceChildren(
-            ...this.choices.flatMap((choice, m) => (choice && (m < 2 || this.offered(m).length) ? [this.card(choice, m)] : [])),
+            ...this.choices.flatMap((choice, m) =>
+                choice && (m < 2 || this.offered(m).length) ? [this.card(choice, m)] : [],
+            ),
         );
     }
 
     private card(choice: Choice, medium: number): HTMLElement {
         const fields = make("select", { ariaLabel: `${titles[medium]}: field` });
         for (const field of this.offered(medium))
-            fields.append(make("option", { value: field.name, selected: field.name === choice.field }, fieldLabel(field.name)));
+            fields.append(
+                make("option", { value: field.name, selected: field.name === choice.field }, fieldLabel(field.name)),
+            );
         fields.append(make("option", { value: "", selected: !choice.field }, "one colour"));
         fields.onchange = () => {
             choice.field = fields.value || null;
@@ -87,7 +102,11 @@ export class Colors {
             this.show();
             this.changed();
         };
-        const card = make("section", { className: "card" }, make("div", { className: "head" }, make("h2", {}, titles[medium])));
+        const card = make(
+            "section",
+            { className: "card" },
+            make("div", { className: "head" }, make("h2", {}, titles[medium])),
+        );
         const line = make("div", { className: "line" }, fields);
         card.append(line);
         if (!choice.field) return card;
@@ -129,11 +148,17 @@ export class Colors {
             this.changed();
         };
         const input = (value: number, label: string) =>
-            make("input", { type: "number", step: "any", value: String(Number((value * factor).toPrecision(4))), ariaLabel: label });
+            make("input", {
+                type: "number",
+                step: "any",
+                value: String(Number((value * factor).toPrecision(4))),
+                ariaLabel: label,
+            });
         const [low, high] = [input(choice.low, "lower end"), input(choice.high, "upper end")];
         low.onchange = () => set(Number(low.value) / factor, choice.high);
         high.onchange = () => set(choice.low, Number(high.value) / factor);
-        const button = (text: string, title: string, deed: () => void) => make("button", { title, onclick: deed }, text);
+        const button = (text: string, title: string, deed: () => void) =>
+            make("button", { title, onclick: deed }, text);
         const all = this.fieldOf(choice)?.ranges[medium];
         const line = make("div", { className: "line" }, low, high);
         line.style.marginTop = "6px";

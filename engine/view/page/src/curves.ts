@@ -17,7 +17,10 @@ interface Table {
 
 /** `t [s],gate.x [m],…` */
 export const parseTable = (csv: string): Table => {
-    const rows = csv.split("\n").filter((row) => row && !row.startsWith("#")).map((row) => row.split(","));
+    const rows = csv
+        .split("\n")
+        .filter((row) => row && !row.startsWith("#"))
+        .map((row) => row.split(","));
     const table: Table = { time: [], probes: new Map() };
     if (rows.length < 2) return table;
     const columns = rows[0].map((heading, k) => {
@@ -99,7 +102,10 @@ export class Curves {
     private data(probe: string): uPlot.AlignedData {
         const { factor } = this.scale(probe);
         const columns = this.table.probes.get(probe)!;
-        return [this.table.time, ...columns.map((c) => (factor === 1 ? c.values : c.values.map((v) => v && v * factor)))];
+        return [
+            this.table.time,
+            ...columns.map((c) => (factor === 1 ? c.values : c.values.map((v) => v && v * factor))),
+        ];
     }
 
     /** All anew: after a change of what is shown, or of the page's colours. */
@@ -120,10 +126,16 @@ export class Curves {
     private plot(probe: string, box: HTMLElement): uPlot {
         const { unit, factor } = this.scale(probe);
         const columns = this.table.probes.get(probe)!;
-        const axis = { stroke: cssColor("--muted"), grid: { stroke: cssColor("--line"), width: 1 }, ticks: { show: false } };
+        const axis = {
+            stroke: cssColor("--muted"),
+            grid: { stroke: cssColor("--line"), width: 1 },
+            ticks: { show: false },
+        };
         const text = '11px system-ui, "Segoe UI", Helvetica, Arial, "Liberation Sans", sans-serif';
         const options: uPlot.Options = {
-            width: 400, height: height, padding: [10, 22, 0, 0],
+            width: 400,
+            height: height,
+            padding: [10, 22, 0, 0],
             scales: { x: { time: false } },
             axes: [
                 { ...axis, font: text, size: 24, values: (_, ticks) => ticks.map((t) => `${short(t, 4)} s`) },
@@ -133,7 +145,9 @@ export class Curves {
                 {},
                 ...columns.map(({ part, unit: own }, k) => ({
                     label: `${probe}.${part}${own ? ` [${factor === 1 ? own : unit}]` : ""}`,
-                    stroke: strokes[k % strokes.length], width: 1.4, points: { show: false },
+                    stroke: strokes[k % strokes.length],
+                    width: 1.4,
+                    points: { show: false },
                     value: (_: uPlot, v: number | null) => (v === null ? "–" : short(v, 4)),
                 })),
             ],

@@ -16,7 +16,8 @@ export const make = <K extends keyof HTMLElementTagNameMap>(
     return made;
 };
 
-export const cssColor = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const cssColor = (name: string): string =>
+    getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** "#98a1ab" as parts of one. */
 export const rgb = (color: string): [number, number, number] =>

@@ -20,7 +20,17 @@ const pollEvery = 1000;
 const speeds = [1, 2, 5, 10, 20, 30, 60];
 
 /** How the page is doing, for tests. */
-const status = { ready: false, frames: 0, particles: 0, frame: -1, drawn: 0, time: 0, playing: false, fps: 0, errors: [] as string[] };
+const status = {
+    ready: false,
+    frames: 0,
+    particles: 0,
+    frame: -1,
+    drawn: 0,
+    time: 0,
+    playing: false,
+    fps: 0,
+    errors: [] as string[],
+};
 Object.assign(window, { sluice: status });
 
 const tell = (problem: unknown): void => {
@@ -37,7 +47,10 @@ class Page {
     private readonly store: FrameStore;
     private readonly camera: Camera;
     private readonly picture: Picture;
-    private readonly overlay = new Overlay(element<HTMLCanvasElement>("underlay"), element<HTMLCanvasElement>("overlay"));
+    private readonly overlay = new Overlay(
+        element<HTMLCanvasElement>("underlay"),
+        element<HTMLCanvasElement>("overlay"),
+    );
     private readonly colors: Colors;
     private readonly curves: Curves;
     private readonly player: Player;
@@ -48,13 +61,19 @@ class Page {
     private size = 1;
     private drawAsked = false;
 
-    constructor(private run: Run, private readonly from = source()) {
+    constructor(
+        private run: Run,
+        private readonly from = source(),
+    ) {
         this.store = new FrameStore(from);
         this.camera = new Camera(run.dimension, run.up);
         this.picture = new Picture(element<HTMLCanvasElement>("picture"), run);
         this.colors = new Colors(run, () => void this.recolor());
         this.curves = new Curves((time) => void this.player.go(this.frameAt(time)));
-        this.player = new Player((index) => this.show(index), () => this.showPlaying());
+        this.player = new Player(
+            (index) => this.show(index),
+            () => this.showPlaying(),
+        );
         this.shown = run.groups.map(() => true);
         element("stage").classList.toggle("solid-stage", run.dimension === 3);
         this.connect();
@@ -131,7 +150,12 @@ class Page {
         this.store.note(index, frame);
         put();
         this.frame = frame;
-        Object.assign(status, { frame: index, particles: frame.count, time: frame.head.time, fps: this.player.measured });
+        Object.assign(status, {
+            frame: index,
+            particles: frame.count,
+            time: frame.head.time,
+            fps: this.player.measured,
+        });
         this.showCounter();
         element<HTMLInputElement>("slider").value = String(index);
         this.curves.setTime(frame.head.time);
@@ -165,7 +189,10 @@ class Page {
                 const map = choice?.field ? maps.indexOf(choice.map) : -1;
                 const plain: Look["plain"][] = [[0.27, 0.55, 0.78], [0.82, 0.5, 0.26], wall];
                 return {
-                    shown: this.shown[g], map, low: choice?.low ?? 0, high: choice?.high ?? 1,
+                    shown: this.shown[g],
+                    map,
+                    low: choice?.low ?? 0,
+                    high: choice?.high ?? 1,
                     plain: choice?.field ? wall : plain[medium],
                 };
             }),
@@ -179,7 +206,9 @@ class Page {
         requestAnimationFrame(() => {
             this.drawAsked = false;
             status.drawn = this.picture.draw(this.camera, this.size);
-            const radius = this.picked ? 0.5 * this.size * this.run.groups[this.picked.group].spacing * this.camera.pixelsPerMetre : 0;
+            const radius = this.picked
+                ? 0.5 * this.size * this.run.groups[this.picked.group].spacing * this.camera.pixelsPerMetre
+                : 0;
             this.overlay.draw(this.camera, this.run, this.pickedPlace && { place: this.pickedPlace, radius });
         });
     }
@@ -201,7 +230,10 @@ class Page {
         const { frames, end } = this.run;
         element("counter").textContent = `${this.player.index + 1} / ${frames.length}`;
         const time = frames[this.player.index]?.[0] ?? 0;
-        element("clock").textContent = timeText(time, Math.max(end, frames.at(-1)?.[0] ?? 0) / Math.max(1, frames.length) * 10);
+        element("clock").textContent = timeText(
+            time,
+            (Math.max(end, frames.at(-1)?.[0] ?? 0) / Math.max(1, frames.length)) * 10,
+        );
     }
 
     private showPlaying(): void {
@@ -218,7 +250,12 @@ class Page {
                     this.setLooks();
                 };
                 const medium = make("span", { className: "muted" }, ["fluid", "solid", "wall"][group.medium]);
-                return make("label", { className: "row" }, make("span", { className: "check" }, box, group.name), medium);
+                return make(
+                    "label",
+                    { className: "row" },
+                    make("span", { className: "check" }, box, group.name),
+                    medium,
+                );
             }),
         );
     }
@@ -248,18 +285,27 @@ class Page {
         };
         const speed = element<HTMLSelectElement>("speed");
         for (const value of speeds)
-            speed.append(make("option", { value: String(value), selected: value === player.perSecond }, `${value} frames/s`));
+            speed.append(
+                make("option", { value: String(value), selected: value === player.perSecond }, `${value} frames/s`),
+            );
         speed.onchange = () => (player.perSecond = Number(speed.value));
         const faster = (by: number) => {
             speed.selectedIndex = Math.max(0, Math.min(speeds.length - 1, speed.selectedIndex + by));
             player.perSecond = Number(speed.value);
         };
         const keys: Record<string, (event: KeyboardEvent) => void> = {
-            " ": () => player.toggle(), Home: () => go(0), End: () => go(player.count - 1),
+            " ": () => player.toggle(),
+            Home: () => go(0),
+            End: () => go(player.count - 1),
             ArrowLeft: (event) => go(player.index - (event.shiftKey ? 10 : 1)),
             ArrowRight: (event) => go(player.index + (event.shiftKey ? 10 : 1)),
-            "+": () => faster(1), "=": () => faster(1), "-": () => faster(-1), r: () => this.fit(), p: panel,
-            t: () => this.turnTheme(), "?": () => element<HTMLDialogElement>("help").showModal(),
+            "+": () => faster(1),
+            "=": () => faster(1),
+            "-": () => faster(-1),
+            r: () => this.fit(),
+            p: panel,
+            t: () => this.turnTheme(),
+            "?": () => element<HTMLDialogElement>("help").showModal(),
         };
         document.addEventListener("keydown", (event) => {
             const at = event.target as HTMLElement;

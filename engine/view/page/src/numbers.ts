@@ -1,6 +1,11 @@
 // Numbers and names as people read them.
 
-const prefixes: [number, string][] = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
+const prefixes: [number, string][] = [
+    [1e9, "G"],
+    [1e6, "M"],
+    [1e3, "k"],
+    [1, ""],
+];
 
 /** What a unit is shown in, for values up to `size`: 12000 Pa as 12 kPa, 0.02 m as 20 mm. */
 export const shownUnit = (unit: string, size: number): { unit: string; factor: number } => {
@@ -17,7 +22,11 @@ export const short = (value: number, digits = 3): string => {
     if (!Number.isFinite(value)) return "–";
     if (value === 0) return "0";
     const size = Math.abs(value);
-    if (size >= 1e6 || size < 1e-4) return value.toExponential(digits - 1).replace(/\.?0+e/, "e").replace("e+", "e");
+    if (size >= 1e6 || size < 1e-4)
+        return value
+            .toExponential(digits - 1)
+            .replace(/\.?0+e/, "e")
+            .replace("e+", "e");
     const text = value.toPrecision(digits);
     const plain = text.includes("e") ? String(Math.round(value)) : text;
     return (plain.includes(".") ? plain.replace(/\.?0+$/, "") : plain).replace("-", "−");
@@ -36,10 +45,14 @@ const words: Record<string, string> = { von_mises: "von Mises stress", green: "G
 
 export const fieldLabel = (name: string): string => {
     if (words[name]) return words[name];
-    return name.split("_").map((word) => words[word] ?? word).join(" ");
+    return name
+        .split("_")
+        .map((word) => words[word] ?? word)
+        .join(" ");
 };
 
 export const withUnit = (label: string, unit: string): string => (unit ? `${label} [${unit}]` : label);
 
 /** Enough decimals for the steps between frames. */
-export const timeText = (time: number, end: number): string => `t = ${time.toFixed(Math.max(0, 4 - Math.ceil(Math.log10(Math.max(end, 1e-3)) + 1)))} s`;
+export const timeText = (time: number, end: number): string =>
+    `t = ${time.toFixed(Math.max(0, 4 - Math.ceil(Math.log10(Math.max(end, 1e-3)) + 1)))} s`;

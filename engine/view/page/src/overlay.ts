@@ -66,7 +66,11 @@ export class Overlay {
         const [right, bottom] = camera.placeAt(camera.width, camera.height);
         context.fillStyle = cssColor("--muted");
         context.strokeStyle = cssColor("--muted");
-        const label = (value: number) => (value * factor).toFixed(digits).replace("-", "−").replace(/^−(0(\.0*)?)$/, "$1");
+        const label = (value: number) =>
+            (value * factor)
+                .toFixed(digits)
+                .replace("-", "−")
+                .replace(/^−(0(\.0*)?)$/, "$1");
         context.textAlign = "center";
         for (let k = Math.ceil(left / step); k * step <= right; ++k) {
             const x = Math.round((k * step - left) * scale) + 0.5;

@@ -15,7 +15,13 @@ export interface Picked {
 }
 
 export const pickAt = async (
-    frame: Frame, run: Run, camera: Camera, shown: boolean[], size: number, x: number, y: number,
+    frame: Frame,
+    run: Run,
+    camera: Camera,
+    shown: boolean[],
+    size: number,
+    x: number,
+    y: number,
 ): Promise<Picked | null> => {
     const [groups, ids] = await Promise.all([frame.numbersOf("group"), frame.numbersOf("id")]);
     const clip = camera.clip();
@@ -64,7 +70,9 @@ export const showPicked = async (frame: Frame | null, run: Run, picked: Picked |
     const values = await Promise.all(fields.map(({ name }) => frame.values(name)));
     fields.forEach(({ name, unit }, k) => {
         const shown = shownUnit(unit, Math.abs(values[k][i]));
-        table.append(row(`${fieldLabel(name)}${shown.unit ? ` [${shown.unit}]` : ""}`, short(values[k][i] * shown.factor, 4)));
+        table.append(
+            row(`${fieldLabel(name)}${shown.unit ? ` [${shown.unit}]` : ""}`, short(values[k][i] * shown.factor, 4)),
+        );
     });
     holder.replaceChildren(table);
     return place;

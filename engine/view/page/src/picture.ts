@@ -100,15 +100,23 @@ export class Picture {
     private count = 0;
     private box: Record<"low" | "span", number[]> = { low: [0, 0, 0], span: [1, 1, 1] };
 
-    constructor(private readonly canvas: HTMLCanvasElement, private readonly run: Run) {
+    constructor(
+        private readonly canvas: HTMLCanvasElement,
+        private readonly run: Run,
+    ) {
         const gl = canvas.getContext("webgl2", { antialias: false, alpha: true, preserveDrawingBuffer: true });
         if (!gl) throw new Error("This browser draws no WebGL 2, which the picture needs.");
         this.gl = gl;
         this.program = twgl.createProgramInfo(gl, [vertexShader, run.dimension === 2 ? flatShader : ballShader]);
         const rows = Object.keys(run.maps).length;
         this.maps = twgl.createTexture(gl, {
-            width: mapColors, height: rows, src: mapTable(run.maps), format: gl.RGBA, minMag: gl.LINEAR,
-            wrap: gl.CLAMP_TO_EDGE, auto: false,
+            width: mapColors,
+            height: rows,
+            src: mapTable(run.maps),
+            format: gl.RGBA,
+            minMag: gl.LINEAR,
+            wrap: gl.CLAMP_TO_EDGE,
+            auto: false,
         });
         this.looks = gl.createTexture()!;
     }
@@ -117,10 +125,19 @@ export class Picture {
     private reserve(count: number): void {
         if (count <= this.room) return;
         this.room = Math.ceil(1.1 * count);
-        const steps = { numComponents: 1, data: new Uint16Array(this.room), normalize: true, drawType: this.gl.DYNAMIC_DRAW };
+        const steps = {
+            numComponents: 1,
+            data: new Uint16Array(this.room),
+            normalize: true,
+            drawType: this.gl.DYNAMIC_DRAW,
+        };
         const floats = { numComponents: 1, data: new Float32Array(this.room), drawType: this.gl.DYNAMIC_DRAW };
         this.buffers = twgl.createBufferInfoFromArrays(this.gl, {
-            sx: steps, sy: steps, sz: { ...steps }, value: floats, group: floats,
+            sx: steps,
+            sy: steps,
+            sz: { ...steps },
+            value: floats,
+            group: floats,
         });
     }
 
@@ -195,11 +212,16 @@ export class Picture {
         twgl.setBuffersAndAttributes(gl, this.program, this.buffers);
         if (flat) {
             const sz = this.program.attribLocations?.["sz"] ?? -1;
-            if (sz >= 0) gl.disableVertexAttribArray(sz), gl.vertexAttrib1f(sz, 0);
+            if (sz >= 0) (gl.disableVertexAttribArray(sz), gl.vertexAttrib1f(sz, 0));
         }
         twgl.setUniforms(this.program, {
-            low: this.box.low, span: this.box.span, clip: camera.clip(), size: overlap * size,
-            pixels: ratio * camera.pixelsPerMetre * camera.eyeDistance, looks: this.looks, maps: this.maps,
+            low: this.box.low,
+            span: this.box.span,
+            clip: camera.clip(),
+            size: overlap * size,
+            pixels: ratio * camera.pixelsPerMetre * camera.eyeDistance,
+            looks: this.looks,
+            maps: this.maps,
         });
         gl.drawArrays(gl.POINTS, 0, this.count);
         return this.count;

@@ -13,7 +13,10 @@ export class Player {
     private busy = false;
 
     /** `show` ends when the frame is on the screen. */
-    constructor(private readonly show: (index: number) => Promise<void>, private readonly changed: () => void) {}
+    constructor(
+        private readonly show: (index: number) => Promise<void>,
+        private readonly changed: () => void,
+    ) {}
 
     async go(index: number): Promise<void> {
         this.index = Math.max(0, Math.min(this.count - 1, index));
