@@ -71,7 +71,7 @@ export class Curves {
     setTime(time: number): void {
         this.time = time;
         for (const plot of this.plots) {
-            plot.redraw(false);
+            this.placeTime(plot);
             this.showValues(plot);
         }
     }
@@ -152,10 +152,13 @@ export class Curves {
                 })),
             ],
             cursor: { drag: { x: false, y: false }, points: { size: 6 }, y: false },
-            hooks: { draw: [(plot) => this.drawTime(plot)], setCursor: [(plot) => this.showValues(plot)] },
+            hooks: { draw: [(plot) => this.placeTime(plot)], setCursor: [(plot) => this.showValues(plot)] },
         };
         const plot = new uPlot(options, this.data(probe), box);
-        const jump = (event: MouseEvent) => this.goTo(plot.posToVal(event.offsetX, "x"));
+        plot.over.append(make("div", { className: "time" }));
+        this.placeTime(plot);
+        const jump = (event: MouseEvent) =>
+            this.goTo(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
         plot.over.addEventListener("pointerdown", jump);
         plot.over.addEventListener("pointermove", (event) => event.buttons & 1 && jump(event));
         return plot;
@@ -169,17 +172,11 @@ export class Curves {
         plot.setLegend({ idx: after });
     }
 
-    private drawTime(plot: uPlot): void {
-        const x = Math.round(plot.valToPos(this.time, "x", true));
-        const { ctx, bbox } = plot;
-        ctx.save();
-        ctx.strokeStyle = cssColor("--accent");
-        ctx.lineWidth = 1.5 * (window.devicePixelRatio || 1);
-        ctx.beginPath();
-        ctx.moveTo(x, bbox.top);
-        ctx.lineTo(x, bbox.top + bbox.height);
-        ctx.stroke();
-        ctx.restore();
+    /** An element of its own: drawing the curves anew for every frame would cost more than the particles. */
+    private placeTime(plot: uPlot): void {
+        const line = plot.over.querySelector<HTMLElement>(".time");
+        const x = plot.valToPos(this.time, "x");
+        if (line) line.style.transform = `translateX(${x.toFixed(1)}px)`;
     }
 
     private resize(): void {

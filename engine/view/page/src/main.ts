@@ -168,7 +168,7 @@ class Page {
         for (let k = 1; k <= ahead; ++k) {
             const next = (index + k) % this.player.count;
             void this.store.get(next).then(async (frame) => {
-                await this.picture.load(frame, this.fields);
+                await this.picture.prepare(frame, this.fields);
                 this.store.note(next, frame);
             });
         }

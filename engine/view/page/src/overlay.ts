@@ -12,6 +12,8 @@ const font = '11px system-ui, "Segoe UI", Helvetica, Arial, "Liberation Sans", s
 export class Overlay {
     private readonly context: CanvasRenderingContext2D;
     private readonly above: CanvasRenderingContext2D;
+    private drawn = "";
+    private ringed = false;
 
     constructor(behind: HTMLCanvasElement, above: HTMLCanvasElement) {
         this.context = behind.getContext("2d")!;
@@ -19,7 +21,14 @@ export class Overlay {
     }
 
     draw(camera: Camera, run: Run, picked: { place: Vec3; radius: number } | null): void {
-        for (const context of [this.context, this.above]) this.clear(context, camera);
+        if (picked || this.ringed) this.clear(this.above, camera);
+        this.ringed = picked !== null;
+        if (picked) this.ring(camera, picked);
+        // What stands behind changes with the view, not from frame to frame.
+        const state = [camera.clip(), camera.width, camera.height, run.bounds, cssColor("--page")].join();
+        if (state === this.drawn) return;
+        this.drawn = state;
+        this.clear(this.context, camera);
         if (run.dimension === 2) {
             this.planes(camera, run);
             this.rulers(camera);
@@ -27,7 +36,6 @@ export class Overlay {
             this.box(camera, run);
             this.triad(camera);
         }
-        if (picked) this.ring(camera, picked);
     }
 
     private clear(context: CanvasRenderingContext2D, camera: Camera): void {

@@ -147,6 +147,16 @@ export class Picture {
         this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, data);
     }
 
+    /** Unpacks what load() will ask for. */
+    async prepare(frame: Frame, fields: (string | null)[]): Promise<void> {
+        const axes = this.run.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
+        await Promise.all([
+            ...axes.map((axis) => frame.steps(axis)),
+            frame.numbersOf("group"),
+            ...fields.map((field) => (field && frame.has(field) ? frame.values(field) : null)),
+        ]);
+    }
+
     /** `fields`: shown of each medium, null: none. */
     async load(frame: Frame, fields: (string | null)[]): Promise<() => void> {
         const axes = this.run.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
