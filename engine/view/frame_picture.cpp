@@ -23,8 +23,9 @@ constexpr Palette palette_of(Theme theme) {
                                  : Palette{0x131619, 0xe5e8eb, 0x97a1ac, 0x2e343b, {0x458cc7, 0xd18042, 0x707a85}};
 }
 
-/// Discs that overlap a little read as water; as the page's.
-constexpr double overlap = 1.15;
+/// Diameters over spacings, as the page's. Discs of a lattice cover the plane from √2 on; a little less reads as water,
+/// and particles can still be told apart. Balls need no more than to touch.
+constexpr double overlap(int dimension) { return dimension == 2 ? 1.3 : 1.1; }
 
 /// Lengths in pixels of a picture 720 pixels high, and what they become in another.
 struct Layout {
@@ -135,7 +136,8 @@ std::vector<Sprite> sprites_of(const StoredFrame& frame, const RunFolder& run, c
         const float near = run.dimension == 3 ? static_cast<float>(p[2]) : 0.0F;
         sprites.push_back(
             {static_cast<float>(p[0]), static_cast<float>(p[1]),
-             static_cast<float>(0.5 * overlap * run.groups[group[i]].spacing * to.pixels_per_metre()), near,
+             static_cast<float>(0.5 * overlap(run.dimension) * run.groups[group[i]].spacing * to.pixels_per_metre()),
+             near,
              std::isfinite(value) ? color_at(color_map(colors.map), (value - colors.low) / (colors.high - colors.low))
                                   : palette.plain[shown[m] ? 2 : m]});
     }

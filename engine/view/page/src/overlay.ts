@@ -1,5 +1,4 @@
-// Lines and words behind the particles (rulers and walls in 2D, the box and the axes in 3D), and over them (the picked
-// one).
+// Lines and words behind the particles (walls in 2D, the box in 3D), and over them (rulers, axes, the picked one).
 import type { Camera, Vec3 } from "./camera";
 import { cssColor } from "./dom";
 import { decimals, evenStep, shownUnit } from "./numbers";
@@ -10,32 +9,32 @@ const labelDistance = 90;
 const font = '11px system-ui, "Segoe UI", Helvetica, Arial, "Liberation Sans", sans-serif';
 
 export class Overlay {
-    private readonly context: CanvasRenderingContext2D;
+    private readonly behind: CanvasRenderingContext2D;
     private readonly above: CanvasRenderingContext2D;
     private drawn = "";
     private ringed = false;
 
     constructor(behind: HTMLCanvasElement, above: HTMLCanvasElement) {
-        this.context = behind.getContext("2d")!;
+        this.behind = behind.getContext("2d")!;
         this.above = above.getContext("2d")!;
     }
 
     draw(camera: Camera, run: Run, picked: { place: Vec3; radius: number } | null): void {
-        if (picked || this.ringed) this.clear(this.above, camera);
-        this.ringed = picked !== null;
-        if (picked) this.ring(camera, picked);
-        // What stands behind changes with the view, not from frame to frame.
+        // Both change with the view, not from frame to frame.
         const state = [camera.clip(), camera.width, camera.height, run.bounds, cssColor("--page")].join();
-        if (state === this.drawn) return;
+        const fresh = state !== this.drawn;
         this.drawn = state;
-        this.clear(this.context, camera);
-        if (run.dimension === 2) {
-            this.planes(camera, run);
-            this.rulers(camera);
-        } else {
-            this.box(camera, run);
-            this.triad(camera);
+        if (fresh) {
+            this.clear(this.behind, camera);
+            if (run.dimension === 2) this.planes(camera, run);
+            else this.box(camera, run);
         }
+        if (!fresh && !picked && !this.ringed) return;
+        this.ringed = picked !== null;
+        this.clear(this.above, camera);
+        if (run.dimension === 2) this.rulers(camera);
+        else this.triad(camera);
+        if (picked) this.ring(camera, picked);
     }
 
     private clear(context: CanvasRenderingContext2D, camera: Camera): void {
@@ -51,7 +50,7 @@ export class Overlay {
 
     /** Mirror walls are whole planes. */
     private planes(camera: Camera, run: Run): void {
-        const { context } = this;
+        const context = this.behind;
         const clip = camera.clip();
         const far = camera.width + camera.height;
         context.strokeStyle = cssColor("--wall");
@@ -59,13 +58,13 @@ export class Overlay {
             const [x, y] = camera.project(point, clip);
             const along = [normal[1], normal[0]]; // on the screen, y points down
             context.lineWidth = 1.5;
-            this.line(x - far * along[0], y - far * along[1], x + far * along[0], y + far * along[1]);
+            this.line(context, x - far * along[0], y - far * along[1], x + far * along[0], y + far * along[1]);
         }
         context.lineWidth = 1;
     }
 
     private rulers(camera: Camera): void {
-        const { context } = this;
+        const context = this.above;
         const scale = camera.pixelsPerMetre;
         const step = evenStep(labelDistance / scale);
         const { unit, factor } = shownUnit("m", Math.max(camera.width, camera.height) / scale);
@@ -82,39 +81,39 @@ export class Overlay {
         context.textAlign = "center";
         for (let k = Math.ceil(left / step); k * step <= right; ++k) {
             const x = Math.round((k * step - left) * scale) + 0.5;
-            this.line(x, camera.height, x, camera.height - 5);
-            if (x > 60 && x < camera.width - 40) context.fillText(label(k * step), x, camera.height - 9);
+            this.line(context, x, camera.height, x, camera.height - 5);
+            if (x > 60 && x < camera.width - 40) this.word(label(k * step), x, camera.height - 9);
         }
         context.textAlign = "left";
         for (let k = Math.ceil(bottom / step); k * step <= top; ++k) {
             const y = Math.round((top - k * step) * scale) + 0.5;
-            this.line(0, y, 5, y);
-            if (y > 40 && y < camera.height - 24) context.fillText(label(k * step), 9, y + 4);
+            this.line(context, 0, y, 5, y);
+            if (y > 40 && y < camera.height - 24) this.word(label(k * step), 9, y + 4);
         }
-        context.fillText(unit, 9, camera.height - 9);
+        this.word(unit, 9, camera.height - 9);
     }
 
     private box(camera: Camera, run: Run): void {
         const clip = camera.clip();
         const corner = (k: number) => run.bounds.map((range, axis) => range[(k >> axis) & 1]) as Vec3;
-        this.context.strokeStyle = cssColor("--line");
+        this.behind.strokeStyle = cssColor("--line");
         for (let k = 0; k < 8; ++k)
             for (const axis of [1, 2, 4]) {
                 if (k & axis) continue;
                 const [a, b] = [camera.project(corner(k), clip), camera.project(corner(k | axis), clip)];
-                this.line(a[0], a[1], b[0], b[1]);
+                this.line(this.behind, a[0], a[1], b[0], b[1]);
             }
     }
 
     private triad(camera: Camera): void {
-        const { context } = this;
+        const context = this.above;
         const [x, y, length] = [44, camera.height - 44, 26];
         context.fillStyle = context.strokeStyle = cssColor("--muted");
         context.textAlign = "center";
         camera.triad.forEach(([right, up], axis) => {
             const [dx, dy] = [right * length, -up * length];
-            this.line(x, y, x + dx, y + dy);
-            context.fillText("xyz"[axis], x + dx * 1.38, y + dy * 1.38 + 4);
+            this.line(context, x, y, x + dx, y + dy);
+            this.word("xyz"[axis], x + dx * 1.38, y + dy * 1.38 + 4);
         });
     }
 
@@ -134,10 +133,23 @@ export class Overlay {
         arc();
     }
 
-    private line(x0: number, y0: number, x1: number, y1: number): void {
-        this.context.beginPath();
-        this.context.moveTo(x0, y0);
-        this.context.lineTo(x1, y1);
-        this.context.stroke();
+    /** With a rim in the page's colour, to be read on particles too. */
+    private word(words: string, x: number, y: number): void {
+        const context = this.above;
+        const ink = context.strokeStyle;
+        context.strokeStyle = cssColor("--page");
+        context.lineWidth = 3;
+        context.lineJoin = "round";
+        context.strokeText(words, x, y);
+        context.strokeStyle = ink;
+        context.lineWidth = 1;
+        context.fillText(words, x, y);
+    }
+
+    private line(context: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
+        context.beginPath();
+        context.moveTo(x0, y0);
+        context.lineTo(x1, y1);
+        context.stroke();
     }
 }
