@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "engine/errors.hpp"
 #include "engine/output/hdf5_reader.hpp"
+#include "engine/view/run_json.hpp"
 
 namespace sluice {
 namespace {
@@ -52,19 +51,6 @@ FrameTable read_table(const Hdf5Source& vtk) {
     return table;
 }
 
-std::vector<FrameFile> parse_series(const std::filesystem::path& series) {
-    std::ifstream stream(series);
-    std::vector<FrameFile> frames;
-    try {
-        const nlohmann::json list = nlohmann::json::parse(stream);
-        for (const auto& file : list.at("files"))
-            frames.push_back({series.parent_path() / file.at("name").get<std::string>(), file.at("time")});
-    } catch (const nlohmann::json::exception&) {
-        throw RunReadError(fmt::format("{}: is no list of frames as a run writes it", series.string()));
-    }
-    return frames;
-}
-
 }  // namespace
 
 std::vector<FrameFile> list_frames(const std::filesystem::path& directory) {
@@ -72,7 +58,7 @@ std::vector<FrameFile> list_frames(const std::filesystem::path& directory) {
         throw RunReadError(fmt::format("{}: no such folder, expected the results of `sluice run`", directory.string()));
     const std::filesystem::path series = directory / "frames" / "frames.hdf.series";
     std::vector<FrameFile> frames;
-    if (std::filesystem::exists(series)) frames = parse_series(series);
+    if (std::filesystem::exists(series)) frames = read_series(series);
     if (!frames.empty()) return frames;
     const bool is_run = std::filesystem::exists(directory / "summary.json");
     throw RunReadError(fmt::format(

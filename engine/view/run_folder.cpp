@@ -4,24 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/errors.hpp"
+#include "engine/view/run_json.hpp"
 
 namespace sluice {
 namespace {
-
-using Json = nlohmann::json;
-
-/// Null if there is no summary, or none that can be read.
-Json read_summary(const std::filesystem::path& directory) {
-    std::ifstream stream(directory / "summary.json");
-    Json json = Json::parse(stream, nullptr, false);
-    return json.is_object() ? json : Json();
-}
 
 std::optional<Scene> kept_scene(const std::filesystem::path& directory) {
     try {
@@ -107,21 +97,16 @@ RunFolder read_run_folder(const std::filesystem::path& directory, const FrameTab
     run.dimension = flat ? 2 : 3;
     const std::optional<Scene> scene = kept_scene(directory);
     if (scene) take_scene(run, *scene);
-    const Json summary = read_summary(directory);
-    if (summary.is_object()) {
-        run.status = summary.value("status", "");
-        run.title = summary.value("title", run.title);
-        run.end = summary.value("end_time", run.end);
-    }
+    const SummaryFacts summary = read_summary(directory);
+    run.status = summary.status;
+    if (!summary.title.empty()) run.title = summary.title;
+    run.end = summary.end_time.value_or(run.end);
     for (const auto& [key, count] : count_groups(first))
         run.groups.push_back(scene ? named_group(key, *scene)
                                    : numbered_group(key, estimated_spacing(first, run.dimension)));
     return run;
 }
 
-std::string run_status(const std::filesystem::path& directory) {
-    const Json summary = read_summary(directory);
-    return summary.is_object() ? summary.value("status", "") : "";
-}
+std::string run_status(const std::filesystem::path& directory) { return read_summary(directory).status; }
 
 }  // namespace sluice

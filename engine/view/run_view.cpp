@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <array>
 
 #include "engine/output/version.hpp"
 #include "engine/view/color_map.hpp"
@@ -11,35 +11,52 @@
 namespace sluice {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json groups_json(const std::vector<ParticleGroup>& groups) {
-    Json list = Json::array();
-    for (const ParticleGroup& g : groups)
-        list.push_back({{"name", g.name}, {"medium", static_cast<int>(g.medium)}, {"spacing", g.spacing}});
-    return list;
+/// In quotes.
+std::string json_text(std::string_view text) {
+    std::string safe = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') safe += '\\';
+        safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return safe + '"';
 }
 
-Json planes_json(const std::vector<WallPlane>& planes) {
-    Json list = Json::array();
-    for (const WallPlane& p : planes) list.push_back({{"name", p.name}, {"point", p.point}, {"normal", p.normal}});
-    return list;
+/// [item, item …]
+template <class Items, class Text>
+std::string json_list(const Items& items, Text&& text) {
+    std::string list;
+    for (const auto& item : items) list += (list.empty() ? "" : ",") + text(item);
+    return "[" + list + "]";
+}
+
+std::string numbers(const Point& p) { return fmt::format("[{},{},{}]", p[0], p[1], p[2]); }
+
+std::string group_json(const ParticleGroup& g) {
+    return fmt::format(R"({{"name":{},"medium":{},"spacing":{}}})", json_text(g.name), static_cast<int>(g.medium),
+                       g.spacing);
+}
+
+std::string plane_json(const WallPlane& p) {
+    return fmt::format(R"({{"name":{},"point":{},"normal":{}}})", json_text(p.name), numbers(p.point),
+                       numbers(p.normal));
 }
 
 /// Per medium: [low, high, least, most], or null.
-Json field_json(const std::string& name, const FieldRanges& ranges) {
-    Json media = Json::array();
-    for (const FrameMedium medium : {FrameMedium::fluid, FrameMedium::solid, FrameMedium::wall}) {
-        const auto range = ranges.of(name, medium);
-        media.push_back(range ? Json{range->low, range->high, range->least, range->most} : Json());
-    }
-    return {{"name", name}, {"unit", std::string(field_unit(name))}, {"ranges", media}};
+std::string field_json(const std::string& name, const FieldRanges& ranges) {
+    constexpr std::array media{FrameMedium::fluid, FrameMedium::solid, FrameMedium::wall};
+    const std::string by_medium = json_list(media, [&](FrameMedium medium) -> std::string {
+        const auto r = ranges.of(name, medium);
+        return r ? fmt::format("[{},{},{},{}]", r->low, r->high, r->least, r->most) : "null";
+    });
+    return fmt::format(R"({{"name":{},"unit":{},"ranges":{}}})", json_text(name), json_text(field_unit(name)),
+                       by_medium);
 }
 
-Json maps_json() {
-    Json maps = Json::object();
-    for (const ColorMap& map : color_maps()) maps[map.name] = map.color;
-    return maps;
+std::string maps_json() {
+    std::string maps;
+    for (const ColorMap& map : color_maps())
+        maps += fmt::format(R"({}"{}":[{}])", maps.empty() ? "" : ",", map.name, fmt::join(map.color, ","));
+    return "{" + maps + "}";
 }
 
 }  // namespace
@@ -58,30 +75,27 @@ std::string RunView::pack(const StoredFrame& frame, int level) const {
 }
 
 std::string RunView::head(PageKind kind) const {
-    Json json;
-    json["version"] = std::string(program_version());
-    json["live"] = kind != PageKind::stored;
-    json["more"] = kind == PageKind::catching_up;
-    json["title"] = folder_.title;
-    json["directory"] = std::filesystem::absolute(folder_.directory).lexically_normal().string();
-    json["status"] = kind == PageKind::stored ? folder_.status : run_status(folder_.directory);
-    json["dimension"] = folder_.dimension;
-    json["end"] = folder_.end;
-    json["up"] = folder_.up;
-    json["bounds"] = ranges_.bounds();
-    json["groups"] = groups_json(folder_.groups);
-    json["planes"] = planes_json(folder_.planes);
-    json["fields"] = Json::array();
     std::vector<std::string> names = fields_;
     // The page makes it of the velocity's components.
-    const bool has_velocity = std::find(names.begin(), names.end(), "velocity_x") != names.end();
-    if (has_velocity && std::find(names.begin(), names.end(), "speed") == names.end())
-        names.insert(names.begin(), "speed");
-    for (const std::string& name : names) json["fields"].push_back(field_json(name, ranges_));
-    json["maps"] = maps_json();
-    json["frames"] = Json::array();
-    for (const Frame& f : frames_) json["frames"].push_back({f.time, f.step, f.particles});
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const auto has = [&names](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    if (has("velocity_x") && !has("speed")) names.insert(names.begin(), "speed");
+    const auto text = [](const char* key, std::string_view value) { return fmt::format(R"("{}":{},)", key, value); };
+    const std::filesystem::path folder = std::filesystem::absolute(folder_.directory).lexically_normal();
+    return "{" + text("version", json_text(program_version())) +
+           text("live", kind == PageKind::stored ? "false" : "true") +
+           text("more", kind == PageKind::catching_up ? "true" : "false") + text("title", json_text(folder_.title)) +
+           text("directory", json_text(folder.string())) +
+           text("status", json_text(kind == PageKind::stored ? folder_.status : run_status(folder_.directory))) +
+           fmt::format(R"("dimension":{},"end":{},)", folder_.dimension, folder_.end) +
+           text("up", numbers(folder_.up)) +
+           text("bounds",
+                json_list(ranges_.bounds(), [](const auto& b) { return fmt::format("[{},{}]", b.first, b.second); })) +
+           text("groups", json_list(folder_.groups, group_json)) +
+           text("planes", json_list(folder_.planes, plane_json)) +
+           text("fields", json_list(names, [this](const std::string& name) { return field_json(name, ranges_); })) +
+           text("maps", maps_json()) + "\"frames\":" +
+           json_list(frames_, [](const Frame& f) { return fmt::format("[{},{},{}]", f.time, f.step, f.particles); }) +
+           "}";
 }
 
 }  // namespace sluice

@@ -1,4 +1,4 @@
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "engine/errors.hpp"
 #include "engine/view/color_map.hpp"
@@ -35,13 +35,13 @@ TEST_CASE("A page holds the run it was made of, in 2D and 3D", "[view]") {
         CHECK(result.left_out.empty());
         const std::string page = text_of(file);
         CHECK(page.size() == result.bytes);
-        const auto head = nlohmann::json::parse(element_of(page, "run"));
-        CHECK(head["dimension"] == dimension);
-        CHECK(head["frames"].size() == 3);
-        CHECK(head["frames"][2][0] == 0.4);
-        CHECK(head["groups"].size() == 2);  // a fluid and a wall
-        CHECK(head["fields"][0]["name"] == "speed");
-        CHECK(head["bounds"][0][1].get<double>() == Approx(0.3 + 0.02 * 4));  // as far as the lattice has moved
+        const std::string head = element_of(page, "run");
+        CHECK_THAT(head, Catch::Contains(fmt::format("\"dimension\":{},", dimension)));
+        const std::size_t particles = dimension == 2 ? 16 : 64;
+        CHECK_THAT(head, Catch::EndsWith(fmt::format("\"frames\":[[0,0,{0}],[0.2,20,{0}],[0.4,40,{0}]]}}", particles)));
+        CHECK_THAT(head, Catch::Contains(R"("groups":[{"name":"fluid 0","medium":0,)"));
+        CHECK_THAT(head, Catch::Contains(R"(},{"name":"wall 0","medium":2,)"));
+        CHECK_THAT(head, Catch::Contains(R"("fields":[{"name":"speed","unit":"m/s","ranges":[[)"));
         CHECK(!element_of(page, "frame-2").empty());
         CHECK(element_of(page, "frame-3").empty());
     }
@@ -52,7 +52,7 @@ TEST_CASE("What cannot be shown is said", "[view]") {
     const std::filesystem::path page = folder.path() / "page.html";
     CHECK_THROWS_WITH(write_view_page({folder.path() / "nowhere", {}, 1}, page), Catch::Contains("no such folder"));
     CHECK_THROWS_WITH(write_view_page({folder.path(), {}, 1}, page), Catch::Contains("not the folder of a run"));
-    write_atomically(folder.path() / "summary.json", "{}");
+    write_atomically(folder.path() / "summary.json", R"({"status": "done", "title": 7})");
     CHECK_THROWS_WITH(write_view_page({folder.path(), {}, 1}, page), Catch::Contains("has written none yet"));
     write_lattice_run(folder.path(), 2, 3);
     CHECK_THROWS_WITH(write_view_page({folder.path(), {"densty"}, 1}, page), Catch::Contains("\"density\"?"));
@@ -78,7 +78,12 @@ TEST_CASE("A run that goes on is followed, and one that starts anew is shown fro
     const TemporaryFolder folder;
     write_lattice_run(folder.path(), 2, 2);
     LiveRun run(folder.path(), {});
-    const auto frames = [&run] { return nlohmann::json::parse(run.head())["frames"].size(); };
+    const auto frames = [&run] {
+        const std::string head = run.head();
+        // one comma between two frames, and two within each
+        return (std::count(head.begin() + static_cast<std::ptrdiff_t>(head.find("\"frames\"")), head.end(), ',') + 1) /
+               3;
+    };
     CHECK(frames() == 2);
     CHECK(run.frame(1).has_value());
     CHECK(!run.frame(2).has_value());

@@ -1,5 +1,5 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <cstdio>
 
 #include "engine/errors.hpp"
 #include "engine/view/packing.hpp"
@@ -15,12 +15,17 @@ struct Unpacked {
         std::size_t length = 0;
         for (std::size_t b = 0; b < 4; ++b)
             length |= static_cast<std::size_t>(static_cast<unsigned char>(packed[b])) << (8 * b);
-        head = nlohmann::json::parse(packed.substr(4, length));
+        head = packed.substr(4, length);
         std::size_t at = 4 + length;
-        for (const auto& column : head["columns"]) {
-            const std::size_t bytes = column["bytes"];
-            columns.push_back(
-                {column["name"], column["low"], column["high"], column["width"], packed.substr(at, bytes)});
+        for (std::size_t k = head.find("{\"name\""); k != std::string::npos; k = head.find("{\"name\"", k + 1)) {
+            char name[40];
+            PackedColumn column;
+            std::size_t bytes = 0;
+            const char* form = R"({"name":"%39[^"]","width":%d,"low":%f,"high":%f,"bytes":%zu})";
+            REQUIRE(std::sscanf(head.c_str() + k, form, name, &column.width, &column.low, &column.high, &bytes) == 5);
+            column.name = name;
+            column.bytes = packed.substr(at, bytes);
+            columns.push_back(column);
             at += bytes;
         }
         REQUIRE(at == packed.size());
@@ -31,7 +36,7 @@ struct Unpacked {
         FAIL("no column " + name);
         return columns.front();
     }
-    nlohmann::json head;
+    std::string head;
     std::vector<PackedColumn> columns;
 };
 
@@ -60,9 +65,8 @@ TEST_CASE("A packed frame gives all columns back to half a step", "[view]") {
         const std::vector<std::string> fields = chosen_fields(frame.table, dimension, {});
         const std::vector<std::uint32_t> group(frame.table.medium.begin(), frame.table.medium.end());
         const Unpacked unpacked(pack_frame(frame, group, {dimension, fields, 6}));
-        CHECK(unpacked.head["time"] == 0.25);
-        CHECK(unpacked.head["step"] == 7);
-        CHECK(unpacked.head["particles"] == frame.table.particles);
+        CHECK_THAT(unpacked.head,
+                   Catch::StartsWith(fmt::format(R"({{"time":0.25,"step":7,"particles":{},)", frame.table.particles)));
         // positions, velocities, pressure and density, group and id
         CHECK(unpacked.columns.size() == static_cast<std::size_t>(2 * dimension) + 2 + 2);
         for (const NumberColumn& column : position_columns(frame.table, dimension))
