@@ -24,9 +24,13 @@ std::string json_text(std::string_view text) {
 /// [item, item …]
 template <class Items, class Text>
 std::string json_list(const Items& items, Text&& text) {
-    std::string list;
-    for (const auto& item : items) list += (list.empty() ? "" : ",") + text(item);
-    return "[" + list + "]";
+    std::string list = "[";
+    for (const auto& item : items) {
+        if (list.size() > 1) list += ',';
+        list += text(item);
+    }
+    list += ']';
+    return list;
 }
 
 std::string numbers(const Point& p) { return fmt::format("[{},{},{}]", p[0], p[1], p[2]); }
@@ -55,8 +59,9 @@ std::string field_json(const std::string& name, const FieldRanges& ranges) {
 std::string maps_json() {
     std::string maps;
     for (const ColorMap& map : color_maps())
-        maps += fmt::format(R"({}"{}":[{}])", maps.empty() ? "" : ",", map.name, fmt::join(map.color, ","));
-    return "{" + maps + "}";
+        maps += fmt::format(R"({}"{}":[{}])", maps.empty() ? '{' : ',', map.name, fmt::join(map.color, ","));
+    maps += '}';
+    return maps;
 }
 
 }  // namespace
@@ -79,23 +84,29 @@ std::string RunView::head(PageKind kind) const {
     // The page makes it of the velocity's components.
     const auto has = [&names](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
     if (has("velocity_x") && !has("speed")) names.insert(names.begin(), "speed");
-    const auto text = [](const char* key, std::string_view value) { return fmt::format(R"("{}":{},)", key, value); };
     const std::filesystem::path folder = std::filesystem::absolute(folder_.directory).lexically_normal();
-    return "{" + text("version", json_text(program_version())) +
-           text("live", kind == PageKind::stored ? "false" : "true") +
-           text("more", kind == PageKind::catching_up ? "true" : "false") + text("title", json_text(folder_.title)) +
-           text("directory", json_text(folder.string())) +
-           text("status", json_text(kind == PageKind::stored ? folder_.status : run_status(folder_.directory))) +
-           fmt::format(R"("dimension":{},"end":{},)", folder_.dimension, folder_.end) +
-           text("up", numbers(folder_.up)) +
-           text("bounds",
-                json_list(ranges_.bounds(), [](const auto& b) { return fmt::format("[{},{}]", b.first, b.second); })) +
-           text("groups", json_list(folder_.groups, group_json)) +
-           text("planes", json_list(folder_.planes, plane_json)) +
-           text("fields", json_list(names, [this](const std::string& name) { return field_json(name, ranges_); })) +
-           text("maps", maps_json()) + "\"frames\":" +
-           json_list(frames_, [](const Frame& f) { return fmt::format("[{},{},{}]", f.time, f.step, f.particles); }) +
-           "}";
+    std::string json = "{";
+    const auto add = [&json](const char* key, std::string_view value) {
+        json += fmt::format(R"("{}":{},)", key, value);
+    };
+    add("version", json_text(program_version()));
+    add("live", kind == PageKind::stored ? "false" : "true");
+    add("more", kind == PageKind::catching_up ? "true" : "false");
+    add("title", json_text(folder_.title));
+    add("directory", json_text(folder.string()));
+    add("status", json_text(kind == PageKind::stored ? folder_.status : run_status(folder_.directory)));
+    add("dimension", fmt::format("{}", folder_.dimension));
+    add("end", fmt::format("{}", folder_.end));
+    add("up", numbers(folder_.up));
+    add("bounds", json_list(ranges_.bounds(), [](const auto& b) { return fmt::format("[{},{}]", b.first, b.second); }));
+    add("groups", json_list(folder_.groups, group_json));
+    add("planes", json_list(folder_.planes, plane_json));
+    add("fields", json_list(names, [this](const std::string& name) { return field_json(name, ranges_); }));
+    add("maps", maps_json());
+    json += fmt::format("\"frames\":{}}}", json_list(frames_, [](const Frame& f) {
+                            return fmt::format("[{},{},{}]", f.time, f.step, f.particles);
+                        }));
+    return json;
 }
 
 }  // namespace sluice
