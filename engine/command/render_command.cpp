@@ -117,7 +117,7 @@ void add_render_command(CLI::App& program, Deed& chosen) {
     RenderOptions& options = arguments->options;
     arguments->size = "1280x720";
     command.add_option("DIR", options.directory, "Folder of a run")->required();
-    command.add_option("-o,--output", arguments->output, "Folder for the pictures [DIR/pictures]")->type_name("DIR2");
+    command.add_option("-o,--output", arguments->output, "Folder for the pictures [DIR/pictures]")->type_name("DIR");
     add_color_options(command, *arguments);
     command.add_option("--size", arguments->size, "Width and height in pixels [1280x720]")->type_name("WxH");
     command.add_option("--window", arguments->window, "2D: the part that is shown, in metres [all]")

@@ -23,9 +23,9 @@ constexpr Palette palette_of(Theme theme) {
                                  : Palette{0x131619, 0xe5e8eb, 0x97a1ac, 0x2e343b, {0x458cc7, 0xd18042, 0x707a85}};
 }
 
-/// Diameters over spacings, as the page's. Discs of a lattice cover the plane from √2 on; a little less reads as water,
-/// and particles can still be told apart. Balls need no more than to touch.
-constexpr double overlap(int dimension) { return dimension == 2 ? 1.3 : 1.1; }
+/// Diameters over spacings, as the page's. Discs of √2 spacings cover the plane of a square lattice without a gap,
+/// which reads as water; balls need no more than to touch.
+constexpr double overlap(int dimension) { return dimension == 2 ? 1.42 : 1.1; }
 
 /// Lengths in pixels of a picture 720 pixels high, and what they become in another.
 struct Layout {

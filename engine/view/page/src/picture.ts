@@ -60,7 +60,7 @@ void main() {
 }`;
 
 /** Diameters over spacings; engine/view/frame_picture.cpp says why. */
-const overlap = { 2: 1.3, 3: 1.1 };
+const overlap = { 2: 1.42, 3: 1.1 };
 
 /** How a group is drawn; `map` is a row, -1: all of one colour. */
 export interface Look {
