@@ -23,4 +23,10 @@ class CheckpointError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The folder of a run, or a file in it, cannot be read back. The text names path and reason.
+class RunReadError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 }  // namespace sluice

@@ -26,6 +26,12 @@ void add_help_command(CLI::App& program, Deed& chosen);
 /// `sluice study`: runs a scene over a matrix of settings.
 void add_study_command(CLI::App& program, Deed& chosen);
 
+/// `sluice view`: a page that shows a run.
+void add_view_command(CLI::App& program, Deed& chosen);
+
+/// `sluice render`: pictures and a video of a run.
+void add_render_command(CLI::App& program, Deed& chosen);
+
 /// results/NAME, where NAME is the scene file's, or its folder's if all scenes are called `scene`.
 std::filesystem::path default_directory(const std::string& scene_file);
 

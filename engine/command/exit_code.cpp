@@ -32,6 +32,9 @@ ExitCode guarded(const std::function<ExitCode()>& deed) {
     } catch (const CheckpointError& error) {
         print_error(error.what());
         return ExitCode::bad_input;
+    } catch (const RunReadError& error) {
+        print_error(error.what());
+        return ExitCode::bad_input;
     } catch (const NumericalError& error) {
         print_error(error.what());
         return ExitCode::numerical_failure;

@@ -17,6 +17,9 @@ constexpr const char* examples = R"(Examples:
   sluice run --resume results/dam
   sluice study dam.toml --vary method.spacing=x2,x1,x0.5 --vary method.precision=mixed,double
   sluice check dam.toml --target-error 3%
+  sluice view results/dam
+  sluice view results/dam --serve
+  sluice render results/dam --field pressure
 
 A run writes into its folder: scene.toml (what was run), probes.csv, summary.json, and frames/, of which
 ParaView opens frames.hdf.series. Every ten minutes, and when it is stopped by Ctrl-C or `kill`, it writes
@@ -38,6 +41,8 @@ int main(int argc, char** argv) {
     sluice::add_run_command(program, chosen);
     sluice::add_check_command(program, chosen);
     sluice::add_study_command(program, chosen);
+    sluice::add_view_command(program, chosen);
+    sluice::add_render_command(program, chosen);
     sluice::add_help_command(program, chosen);
     try {
         program.parse(argc, argv);

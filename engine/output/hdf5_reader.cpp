@@ -33,6 +33,16 @@ Hdf5Source Hdf5Source::group(const std::string& name) const {
 
 bool Hdf5Source::has(const std::string& name) const { return H5Lexists(handle_.get(), name.c_str(), H5P_DEFAULT) > 0; }
 
+std::vector<std::string> Hdf5Source::names() const {
+    std::vector<std::string> all;
+    const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+        static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+        return 0;
+    };
+    check(H5Literate(handle_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &all) >= 0, "it does not list", "names");
+    return all;
+}
+
 Hdf5Handle Hdf5Source::dataset(const std::string& name) const {
     return opened(H5Dopen2(handle_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, name);
 }

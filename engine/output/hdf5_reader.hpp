@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/output/hdf5_file.hpp"
 
@@ -20,6 +21,9 @@ class Hdf5Source {
     Hdf5Source group(const std::string& name) const;
     /// Whether there is a group or a dataset of this name.
     bool has(const std::string& name) const;
+
+    /// Of groups and datasets, in the order of their spelling.
+    std::vector<std::string> names() const;
 
     /// Values in a dataset.
     std::size_t count(const std::string& name) const;

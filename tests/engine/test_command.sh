@@ -75,6 +75,27 @@ holds '"status": "done"' results/small_gate/summary.json
 expect 0 "baseline, mixed precision" "$program" run "$gate" -o plain --isa baseline --set method.precision=mixed
 holds '"instruction_set": "baseline"' plain/summary.json
 expect 0 "of the solid in each" "$program" run "$gate" -o rates --set method.time_stepping=multi-rate
+
+# What a run has left is shown: as a page, as pictures.
+expect 0 "3 frames, " "$program" view results/small_gate
+holds 'id="frame-2"' results/small_gate/view.html
+grep -qE '<(script|link|img)[^>]*(src|href)="?(http|/)' results/small_gate/view.html && fail "the page asks for other files"
+expect 0 "2 frames, " "$program" view results/small_gate -o half.html --every 2 --fields velocity,pressure
+expect 2 'did you mean "pressure"?' "$program" view results/small_gate -o none.html --fields presure
+expect 2 "no such folder" "$program" view missing
+expect 2 "not the folder of a run" "$program" view "$scenes"
+expect 2 "excludes" "$program" view plain --serve --every 2
+[ ! -e none.html ] || fail "a refused page is written"
+expect 0 "3 pictures in pictures" "$program" render results/small_gate -o pictures --video none --size 320x180
+[ -s pictures/frame_0002.png ] || fail "a picture is missing"
+expect 2 "--size: found" "$program" render results/small_gate --size 320
+expect 2 "LOW,HIGH with LOW < HIGH" "$program" render results/small_gate --range 2,1
+expect 2 'did you mean "viridis"?' "$program" render results/small_gate --map virids -o pictures
+expect 3 "apt install ffmpeg" env PATH=/nowhere "$program" render results/small_gate -o pictures --size 320x180
+truncate -s 700 results/small_gate/frames/frame_0001.hdf
+expect 0 "frame_0001.hdf: cannot be read as a frame: it is cut short or damaged; left out" "$program" view results/small_gate
+holds "2 frames, " out
+
 mkdir tank && cp "$scenes/still_water_3d.toml" tank/scene.toml
 expect 0 "results in results/tank" "$program" run tank/scene.toml --until 0.001 --set 'title="Mine"'
 holds 'Mine' results/tank/scene.toml

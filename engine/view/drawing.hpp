@@ -1,0 +1,49 @@
+// Lines and words in a picture of pixels, by cairo.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "engine/view/color_map.hpp"
+#include "engine/view/projection.hpp"
+
+struct _cairo;
+struct _cairo_surface;
+
+namespace sluice {
+
+enum class TextSide { left, middle, right };
+
+class Drawing {
+  public:
+    Drawing(int width, int height, std::uint32_t background);
+    ~Drawing();
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+
+    /// Nothing is drawn outside of a box until unclip().
+    void clip(const PictureBox& box);
+    void unclip();
+    void line(double x0, double y0, double x1, double y1, std::uint32_t color, double width = 1);
+    /// `side`: where the text's `x` is. `size` in pixels.
+    void text(double x, double y, std::string_view words, double size, std::uint32_t color,
+              TextSide side = TextSide::left);
+    void gradient(const PictureBox& box, const ColorMap& map);
+
+    /// Blue, green, red, alpha; rows of stride() bytes. Lines and words of before are in it.
+    unsigned char* pixels();
+    int stride() const;
+    /// After pixels() were written to.
+    void pixels_changed();
+    std::string png() const;
+
+  private:
+    void use(std::uint32_t color);
+
+    _cairo_surface* surface_;
+    _cairo* cairo_;
+};
+
+}  // namespace sluice
