@@ -12,6 +12,7 @@
 #include "engine/checkpoint/checkpoint_times.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/folder_lock.hpp"
 #include "engine/output/frames.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/output/progress.hpp"
@@ -110,6 +111,7 @@ class Run {
     /// The probes come first: one that has nothing to measure is refused before a folder is made.
     void start_files(Probes<Dim> probes) {
         make_folder(directory_);
+        lock_.emplace(directory_);
         write_atomically(directory_ / "scene.toml", simulation_.scene().source);
         record_.probe_columns = probes.columns();
         checkpoints_.emplace(directory_);
@@ -119,6 +121,7 @@ class Run {
 
     /// The state comes first: a checkpoint that does not fit is refused before results are cut back to it.
     void resume(const std::filesystem::path& checkpoint, Probes<Dim> probes) {
+        lock_.emplace(directory_);
         OutputState written;
         restore(open_checkpoint(checkpoint), written);
         record_.probe_columns = probes.columns();
@@ -331,6 +334,7 @@ class Run {
     }
 
     std::filesystem::path directory_;
+    std::optional<FolderLock> lock_;
     Clock::time_point start_;
     double cpu_start_;
     Simulation<Dim> simulation_;

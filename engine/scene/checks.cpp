@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/scene/memory_check.hpp"
 #include "engine/scene/overlap.hpp"
 #include "engine/scene/place.hpp"
 #include "engine/scene/thickness.hpp"
@@ -37,6 +38,21 @@ void check_filled(const Scene& scene, const std::string& owner, double spacing, 
         scene.fail(owner + ".shape", fmt::format("found no particle in it at a spacing of {} m, expected one or more: "
                                                  "reduce {}",
                                                  spacing, spacing_key(scene, owner)));
+}
+
+/// One particle may fill a body, but it must not stand for much more than the body.
+void check_size(const Scene& scene, const Body& body) {
+    const Bounds bounds = body.shape->bounds();
+    for (int k = 0; k < scene.dimension; ++k) {
+        const auto axis = static_cast<std::size_t>(k);
+        const double size = bounds.max[axis] - bounds.min[axis];
+        if (body.spacing <= 2 * size) continue;
+        scene.fail(
+            spacing_key(scene, key_of(body)),
+            fmt::format("found a spacing of {:.4g} m, more than twice the {:.4g} m of {} along {}, expected {:.4g} "
+                        "m or less",
+                        body.spacing, size, key_of(body), "xyz"[axis], size));
+    }
 }
 
 void check_thickness(const Scene& scene, const Body& body, const Packing& packing) {
@@ -151,12 +167,14 @@ std::vector<Packing> pack_walls(const Scene& scene) {
 }
 
 void check_geometry(const Scene& scene, const std::vector<Packing>& bodies, const std::vector<Packing>& walls) {
+    check_memory(scene, bodies, walls, available_memory());
     for (std::size_t i = 0; i < walls.size(); ++i)
         if (scene.walls[i].kind == WallKind::fixed)
             check_filled(scene, key_of(scene.walls[i]), scene.walls[i].spacing, walls[i]);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Body& body = scene.bodies[i];
         check_filled(scene, key_of(body), body.spacing, bodies[i]);
+        check_size(scene, body);
         if (is_solid(scene, body)) check_thickness(scene, body, bodies[i]);
         if (!is_solid(scene, body)) {
             check_mirrors(scene, body, bodies[i]);

@@ -6,6 +6,7 @@
 #include "engine/checkpoint/resume.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/folder_lock.hpp"
 #include "engine/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"
@@ -38,6 +39,18 @@ void require_same(const std::filesystem::path& a, const std::filesystem::path& b
 }
 
 }  // namespace
+
+TEST_CASE("Two runs do not write into one folder") {
+    const TemporaryFolder folder;
+    const Scene scene = load_scene(test_scene("small_gate.toml"), {"output.end=0.0002"});
+    {
+        const FolderLock other(folder.path());
+        CHECK_THROWS_WITH(run(scene, {folder.path(), 1, {}, {}}),
+                          Catch::Contains("another run writes into this folder"));
+        CHECK(std::filesystem::is_empty(folder.path()));
+    }
+    CHECK(run(scene, {folder.path(), 1, {}, {}}).state == RunState::done);
+}
 
 TEST_CASE("Resumed runs write what uninterrupted ones do, without gap or doubling") {
     const std::vector<std::string> often{"output.checkpoint_interval=0.0006"};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/scene/checks.hpp"
+#include "engine/scene/memory_check.hpp"
 #include "engine/scene/overlap.hpp"
 #include "engine/scene/thickness.hpp"
 #include "tests/catch.hpp"
@@ -225,4 +226,20 @@ TEST_CASE("sound too slow for the expected speed", "[checks]") {
         Contains("Mach 0.2 expected (6 m/s by method.expected_speed), limit 0.1: raise sound_speed to at least 60"));
     CHECK_THROWS_WITH(check(tank, {"materials.water.sound_speed=10"}),
                       Contains(".toml: --set materials.water.sound_speed: found 10 m/s"));
+}
+
+TEST_CASE("A scene that does not fit into memory is refused with what it needs") {
+    const Scene scene = load(tank);
+    const std::vector<Packing> bodies = pack_bodies(scene), walls = pack_walls(scene);
+    CHECK_NOTHROW(check_memory(scene, bodies, walls, 1e9));
+    CHECK_THROWS_WITH(check_memory(scene, bodies, walls, 1e5),
+                      Contains("method.spacing: found 0.001 m, which makes ") && Contains(" particles; they take ") &&
+                          Contains("0.0001 GB are free; expected 0."));
+    CHECK(available_memory() > 1e7);  // this process runs
+}
+
+TEST_CASE("A spacing far beyond a body's size is refused") {
+    CHECK_THROWS_WITH(load(tank, {"bodies.water.spacing=0.3"}),
+                      Contains("found a spacing of 0.3 m, more than twice the 0.1 m of bodies.water along x"));
+    CHECK_THROWS_WITH(load(tank, {"bodies.water.spacing=1e308"}), Contains("expected 0.1 m or less"));
 }

@@ -25,8 +25,8 @@ def _wendland_c2(q):
 WEIGHT = {"cubic-spline": _cubic_spline, "wendland-c2": _wendland_c2}
 
 
-def bending_ratio(layers, smoothing_function, smoothing_length, poisson, hourglass=0.6):
-    """Bending stiffness over E'I; smoothing_length in spacings, hourglass = zeta in units of E.
+def bending_ratio(layers, smoothing_function, smoothing_length, poisson, hourglass=0.85):
+    """Bending stiffness over E'I; smoothing_length in spacings, hourglass = zeta in units of 2 mu.
 
     The least energy per column, for curvature 1, over the displacements v of the layers along y:
       u_x = -x y,  u_y = x^2/2 + v(y)
@@ -61,8 +61,8 @@ def bending_ratio(layers, smoothing_function, smoothing_length, poisson, hourgla
         add(np.sqrt(mu), np.zeros(layers), strain_x)
         add(np.sqrt(mu), strain_y, fixed_y)
         add(np.sqrt(lam / 2), strain_y, strain_x + fixed_y)
-        for i, b, w in near:  # zeta E/2 w |u_ab - F X_ab|^2
-            stiff = np.sqrt(max(hourglass, 0) * young * w / 2)
+        for i, b, w in near:  # zeta mu w |u_ab - F X_ab|^2
+            stiff = np.sqrt(max(hourglass, 0) * mu * w)
             add(stiff, np.zeros(layers), -i * height[b] - strain_x * i)
             beyond = -strain_y * (b - a)
             beyond[b] += 1
