@@ -239,7 +239,7 @@ TEST_CASE("A scene that does not fit into memory is refused with what it needs")
 }
 
 TEST_CASE("A spacing far beyond a body's size is refused") {
-    CHECK_THROWS_WITH(load(tank, {"bodies.water.spacing=0.3"}),
+    CHECK_THROWS_WITH(check(tank, {"bodies.water.spacing=0.3"}),
                       Contains("found a spacing of 0.3 m, more than twice the 0.1 m of bodies.water along x"));
-    CHECK_THROWS_WITH(load(tank, {"bodies.water.spacing=1e308"}), Contains("expected 0.1 m or less"));
+    CHECK_THROWS_WITH(check(tank, {"bodies.water.spacing=1e308"}), Contains("expected 0.1 m or less"));
 }
