@@ -169,7 +169,7 @@ struct Simulation<Dim>::Impl {
 };
 
 template <int Dim>
-Simulation<Dim>::Simulation(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+Simulation<Dim>::Simulation(const Scene& scene) : impl_(Impl::guarded([&] { return std::make_unique<Impl>(scene); })) {}
 template <int Dim>
 Simulation<Dim>::~Simulation() = default;
 

@@ -122,6 +122,13 @@ void ClampExtension<Dim>::hand_over(SolidPhase<Dim>& solid) const {
         const double share = p.ratio * solid.mass[p.behind] / solid.mass[p.of];
         solid.acceleration.set(p.of, solid.acceleration[p.of] - share * solid.acceleration[p.behind]);
         solid.acceleration.set(p.behind, {});
+    }
+    put_back(solid);
+}
+
+template <int Dim>
+void ClampExtension<Dim>::put_back(SolidPhase<Dim>& solid) const {
+    for (const Pair& p : pair_) {
         solid.velocity.set(p.behind, {});
         solid.position.set(p.behind, p.start);
     }

@@ -45,8 +45,9 @@ class ClampExtension {
     void take_energy(SolidPhase<Dim>& solid) const;
     /// Moves extended particles to where the mirror image of the displacement, and of the velocity, puts them.
     void displace(SolidPhase<Dim>& solid) const;
-    /// Puts them back, and gives their acceleration's force to those that they follow.
+    /// Gives their acceleration's force to those that they follow, and puts them back.
     void hand_over(SolidPhase<Dim>& solid) const;
+    void put_back(SolidPhase<Dim>& solid) const;
 
   private:
     /// Held particle `behind` follows free particle `of`.

@@ -18,6 +18,10 @@ double damped_step_ratio(double artificial_viscosity) {
     return std::sqrt(1 + ratio * ratio) - ratio;
 }
 
+/// Bodies in contact are stiffer where they touch than the fastest mode of the bodies alone. Colliding rings run up to
+/// 0.85 of its limit and break down at 0.9.
+constexpr double contact_step_ratio = 0.85;
+
 }  // namespace
 
 template <int Dim>
@@ -42,6 +46,7 @@ std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>
 void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, CourantLimit& limit) {
     if (!(fastest_mode > 0)) return;
     limit.dt = scene.method.courant * 2 / fastest_mode;
+    if (effects.has(Effect::contact)) limit.dt *= contact_step_ratio;
     if (effects.has(Effect::solid_viscosity)) limit.dt *= damped_step_ratio(scene.method.solid.artificial_viscosity);
 }
 

@@ -25,7 +25,7 @@ template <int Dim>
 std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state);
 
 /// Of a total-Lagrangian solid: courant · 2/ω, ω its fastest mode [1/s], the limit of explicit steps for what is linear
-/// and undamped; with artificial viscosity less. Leaves the limit as it is if ω = 0: nothing can move.
+/// and undamped; with artificial viscosity or contact less. Leaves the limit as it is if ω = 0: nothing can move.
 void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, CourantLimit& limit);
 
 /// The step of all media together, and how many sub-steps of the solid there are in it.
@@ -45,8 +45,6 @@ struct StepPlan {
 ///
 /// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
 /// limit asks for. A step that the scene sets is taken as it is, and cut likewise.
-///
-/// Contact does not shorten a solid's step: it is made no faster than the solid itself (contact.hpp).
 ///
 /// A viscous fluid allows no more than ⅛ h²/ν [Morris, Fox & Zhu 1997].
 ///

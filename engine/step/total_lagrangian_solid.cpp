@@ -156,9 +156,11 @@ void TotalLagrangianSolid<Dim>::update_density() {
 template <int Dim>
 double TotalLagrangianSolid<Dim>::hourglass_energy() const {
     if (!c_.has(Effect::hourglass_control)) return 0;
-    const auto& solid = c_.state.solid;
+    auto& solid = c_.state.solid;
     ScalarField energy(solid.owned);
+    behind_clamp_.displace(solid);
     sluice::hourglass_energy<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, c_.method, energy);
+    behind_clamp_.put_back(solid);
     return ordered_sum<double>(solid.owned, [&](std::size_t i) { return energy[i]; });
 }
 

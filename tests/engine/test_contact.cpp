@@ -222,10 +222,12 @@ TEST_CASE("Where nothing is near, contact looks once and holds nothing") {
     const std::string text = rubber(d) + body("left", disc(-0.1, 0, 0.01), "[0.5, 0]") +
                              body("right", disc(0.1, 0, 0.01), "[-0.5, 0]") + mirror_floor;
     const std::string high = scene_text::with(text, "point = [0.0, 0.0]", "point = [0.0, -0.1]");
-    Simulation<2> with(scene_text::load(high)), without(scene_text::load(high, {"effects.contact=off"}));
+    // Contact shortens the step that a scene does not state.
+    const std::string step = "method.time_step=1e-5";
+    Simulation<2> with(scene_text::load(high, {step})), without(scene_text::load(high, {step, "effects.contact=off"}));
     advance(with, 200);
     advance(without, 200);
-    CHECK(with.solid().position.c == without.solid().position.c);
+    CHECK((with.solid().position.c == without.solid().position.c));
     CHECK(with.work().neighbour_builds - without.work().neighbour_builds == 1);
     CHECK(with.work().pairs == without.work().pairs);
     // Three thresholds for each particle, its number in its body's group, and room to grow.
@@ -251,7 +253,7 @@ TEST_CASE("No particle feels a force at the start, however close bodies and wall
                              body("disc", disc(0, 0, 0.01), "[0, 0]") + mirror_floor;
     Simulation<2> s(scene_text::load(text));
     advance(s, 10);
-    CHECK(s.energy().contact == 0);
+    CHECK(s.energy().contact < 1e-25);  // what rounding of F moves
     // What is left is rounding of reference positions, 1e-16 of a length over d, in a stress of ρ c².
     CHECK(s.energy().kinetic < 1e-20 * mass_of(s) * sound_speed * sound_speed);
 }

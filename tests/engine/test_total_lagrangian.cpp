@@ -173,4 +173,11 @@ TEST_CASE("Hourglass control holds what no gradient sees") {
     CHECK(held[1] < 0.2);
 }
 
+TEST_CASE("Bodies too far apart for the search are refused with a message") {
+    const std::string text = preamble(0.002) + rubber_box("0.0, 0.0", "0.02, 0.02") +
+                             box_body("far", "rubber", "1e9, 0.0", "1000000000.02, 0.02");
+    CHECK_THROWS_WITH((Simulation<2>(scene_text::load(text, {"method.preset=modern"}))),
+                      Catch::Contains("spread over more cells"));
+}
+
 }  // namespace sluice
