@@ -15,7 +15,9 @@ from lib.pairs import near_pairs  # noqa: E402
 from lib.run_output import FLUID, SOLID, WALL, RunOutput  # noqa: E402
 
 TORN = 1.75    # of its first length: rubber that is far from doubling its length has no business there
+FILLED = 0.75  # d; half the diagonal of a lattice's square is 0.71 d
 JOINED = 2.0   # d; what is nearer belongs to one piece
+REACH, INSIDE = 2.05, 12  # d, and how many neighbours a particle of a square lattice has within that
 NEAR = 1.2     # d; the nearest neighbours of a square lattice, not its diagonals
 
 
@@ -156,6 +158,22 @@ def bodies_pair(run):
     return _smallest(run, lambda frame: frame.of(SOLID), lambda frame, i, j: frame["body"][i] != frame["body"][j])
 
 
+def inner_pair(run):
+    """Smallest distance of two fluid particles that both have all the neighbours of a lattice: no spray, no surface."""
+    least = 2.0
+    for frame in run.frames:
+        index = np.flatnonzero(frame.of(FLUID))
+        i, j = near_pairs(frame.points[index], REACH * run.spacing.max())
+        i, j = index[i], index[j]
+        ratio = np.linalg.norm(frame.points[i] - frame.points[j], axis=1) / (0.5 * (run.spacing[i] + run.spacing[j]))
+        i, j, ratio = (values[ratio < REACH] for values in (i, j, ratio))
+        inside = np.bincount(np.concatenate([i, j]), minlength=len(frame.points)) >= INSIDE
+        both = inside[i] & inside[j]
+        if both.any():
+            least = min(least, float(ratio[both].min()))
+    return least
+
+
 def _smallest(run, mask, wanted):
     """Over all frames; no more than 2: what is farther apart does not meet."""
     least = 2.0
@@ -213,6 +231,17 @@ def torn(run):
     i, j = _bonds(run)
     length = [np.linalg.norm(frame.points[i] - frame.points[j], axis=1) for frame in (run.frames[0], run.frames[-1])]
     return float(np.mean(length[1] > TORN * length[0]))
+
+
+def cracked(run):
+    """Share of those bonds that are torn and have nothing in their middle; others have only been re-arranged."""
+    i, j = _bonds(run)
+    last, first = run.frames[-1].points, run.frames[0].points
+    long = np.linalg.norm(last[i] - last[j], axis=1) > TORN * np.linalg.norm(first[i] - first[j], axis=1)
+    own = last[np.flatnonzero(run.frames[0].of(SOLID))]
+    middle = 0.5 * (last[i[long]] + last[j[long]])
+    empty = [np.hypot(*(own - at).T).min() > FILLED * run.spacing.min() for at in middle]
+    return float(np.count_nonzero(empty) / len(i))
 
 
 def pieces(run):
@@ -309,5 +338,5 @@ def leaked(run):
 
 FIGURES = {f.__name__: f for f in (
     finite, energy_gain, energy_excess, energy_loss, energy_drift, kinetic_end, momentum, angular_momentum, fluid_density,
-    solid_density, fluid_pair, coupling_pair, bodies_pair, wall_depth, fluid_speed, solid_speed, torn, pieces, rebound, tip,
+    solid_density, fluid_pair, inner_pair, coupling_pair, bodies_pair, wall_depth, fluid_speed, solid_speed, torn, cracked, pieces, rebound, tip,
     void, fall, shape, twin, bits, leaked)}

@@ -65,7 +65,7 @@ def _limits(case, results):
 def _range(limit):
     words = [f"at least {limit['least']:g}"] if "least" in limit else []
     words += [f"at most {limit['most']:g}"] if "most" in limit else []
-    return " and ".join(words)
+    return " and ".join(words) or "is told, not judged"
 
 
 def _columns(results):
