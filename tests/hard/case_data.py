@@ -21,7 +21,6 @@ class Job:
     expect: list = field(default_factory=lambda: ["ok"])
     scale: object = "kinetic"
     twin: "Job" = None            # the run that this one must agree with
-    needs: bool = False           # run for its twin's sake only
     known: list = field(default_factory=list)
 
     @property
@@ -72,9 +71,9 @@ def _all_jobs(case, data, variants):
             for axis, values in axes.items():
                 if axis != "of":
                     listed += [_axis_job(case, data, variants[of], jobs[of], axis, value) for value in values]
-    for name, variant in variants.items():
-        if "twin" in variant:
-            jobs[name].twin = jobs[variant["twin"]]
+    for job in listed:
+        if "twin" in variants[job.variant] and job.twin is None:
+            job.twin = jobs[variants[job.variant]["twin"]]
     return listed
 
 

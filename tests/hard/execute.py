@@ -92,6 +92,8 @@ def toml_value(value):
         return "{" + ", ".join(f"{key} = {_inner(item)}" for key, item in value.items()) + "}"
     if isinstance(value, list):
         return "[" + ", ".join(_inner(item) for item in value) + "]"
+    if isinstance(value, str) and not value[:1].isalpha():
+        return json.dumps(value)  # a formula
     return str(value)
 
 

@@ -86,6 +86,6 @@ def _known(job, result):
     """The note of the first entry of `known` that fits."""
     for entry in job.known:
         fits = any(fnmatch.fnmatch(f"{job.variant} / {job.setting}", pattern) for pattern in entry["runs"])
-        if fits and result.outcome == entry["outcome"] and set(result.broken) <= set(entry.get("limits", result.broken)):
+        if fits and result.outcome == entry["outcome"] and set(result.broken) - {DISSIPATED} <= set(entry.get("limits", result.broken)):
             return entry["note"]
     return ""
