@@ -17,7 +17,7 @@ class Result:
     detail: str = ""
     figures: dict = field(default_factory=dict)
     broken: list = field(default_factory=list)
-    note: str = ""           # why an outcome that was not expected comes about, as the case's data knows it
+    cause: str = ""          # why an outcome that was not expected comes about: a name in causes.toml
     cpu: float = 0.0
 
     @property
@@ -28,7 +28,7 @@ class Result:
     def verdict(self):
         if self.expected:
             return "as expected"
-        return "known" if self.note else "UNEXPLAINED"
+        return "known" if self.cause else "UNEXPLAINED"
 
 
 def judge(job, process, root):
@@ -42,7 +42,7 @@ def judge(job, process, root):
     else:
         _measure(result, process, root)
     if not result.expected:
-        result.note = _known(job, result)
+        result.cause = _known(job, result)
     return result
 
 
@@ -83,9 +83,9 @@ def _message(said):
 
 
 def _known(job, result):
-    """The note of the first entry of `known` that fits."""
+    """The cause that the first entry of `known` that fits gives."""
     for entry in job.known:
         fits = any(fnmatch.fnmatch(f"{job.variant} / {job.setting}", pattern) for pattern in entry["runs"])
         if fits and result.outcome == entry["outcome"] and set(result.broken) - {DISSIPATED} <= set(entry.get("limits", result.broken)):
-            return entry["note"]
+            return entry["cause"]
     return ""

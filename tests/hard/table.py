@@ -1,5 +1,6 @@
-"""results.md: what each case asks, its limits, every run's outcome and worst figures."""
+"""results.md: what each case asks, its limits, every run's outcome and worst figures; causes of what was not expected."""
 import subprocess
+import tomllib
 from datetime import date
 from pathlib import Path
 
@@ -11,6 +12,7 @@ def text(cases, results, command):
              f"Written by `tests/hard/run.py` on {date.today().isoformat()}, sources at {_commit()}; "
              f"program: {command}. [README.md](README.md) explains the words.\n",
              _totals(results), _overview(cases, results)]
+    parts += [_causes(results)]
     parts += [_case(case, [r for r in results if r.job.case == case.name]) for case in cases]
     return "\n".join(parts)
 
@@ -18,7 +20,7 @@ def text(cases, results, command):
 def _totals(results):
     count = {verdict: sum(r.verdict == verdict for r in results) for verdict in ("as expected", "known", "UNEXPLAINED")}
     cpu = sum(r.cpu for r in results)
-    return (f"**{len(results)} runs: {count['as expected']} as expected, {count['known']} not, explained below, "
+    return (f"**{len(results)} runs: {count['as expected']} as expected, {count['known']} not, but explained below, "
             f"{count['UNEXPLAINED']} unexplained. {cpu:.0f} s of CPU time ({cpu / 60:.1f} min).**\n")
 
 
@@ -32,22 +34,40 @@ def _overview(cases, results):
     return "\n".join(rows) + "\n"
 
 
+KINDS = {"fault": "fault of the engine", "limit": "limit of the method", "paper": "the paper's scheme"}
+
+
+def load_causes():
+    return tomllib.loads((Path(__file__).resolve().parent / "causes.toml").read_text())
+
+
+def _causes(results):
+    """Those that these runs met, faults first."""
+    causes = load_causes()
+    met = sorted({r.cause for r in results if r.cause}, key=lambda name: list(KINDS).index(causes[name]["kind"]))
+    lines = ["## What was not expected, and why\n"]
+    for name in met:
+        cause = causes[name]
+        count = sum(r.cause == name for r in results)
+        lines.append(f"### {cause['title']}\n\n*{KINDS[cause['kind']]}; {count} runs; `{name}`.* {cause['text'].strip()}\n")
+        if "scene" in cause:
+            lines.append(f"Smallest scene: `scenes/{cause['scene']}`\n")
+    return "\n".join(lines)
+
+
 def _case(case, results):
-    columns = [name for name in _columns(results)]
+    columns = _columns(results)
     lines = [f"## {case.title}\n", case.asks.strip() + "\n", _limits(case, results)]
     lines.append("| variant | setting | outcome | " + " | ".join(columns) + " | CPU |")
     lines.append("| --- | --- | --- |" + " ---: |" * (len(columns) + 1))
-    notes = []
+    causes = load_causes()
     for r in results:
-        if r.note and r.note not in notes:
-            notes.append(r.note)
-        mark = f" [{notes.index(r.note) + 1}]" if r.note else ""
-        flag = "" if r.expected else "**" + ("known" if r.note else "UNEXPLAINED") + "** "
+        flag = "" if r.expected else "**UNEXPLAINED** "
+        if r.cause:
+            flag = f"[**known**](#{_anchor(causes[r.cause]['title'])}) "
         cells = [_figure(r, name) for name in columns]
-        lines.append(f"| {r.job.variant} | {r.job.setting} | {flag}{_outcome(r)}{mark} | " + " | ".join(cells) +
-                     f" | {r.cpu:.1f} s |")
-    lines += [""] + [f"[{k + 1}] {note.strip()}\n" for k, note in enumerate(notes)]
-    return "\n".join(lines)
+        lines.append(f"| {r.job.variant} | {r.job.setting} | {flag}{_outcome(r)} | " + " | ".join(cells) + f" | {r.cpu:.1f} s |")
+    return "\n".join(lines) + "\n"
 
 
 def _limits(case, results):
