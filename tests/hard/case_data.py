@@ -19,6 +19,7 @@ class Job:
     limits: dict
     threads: int = 1
     expect: list = field(default_factory=lambda: ["ok"])
+    breaks: list = field(default_factory=list)  # the figures that must be beyond their limits if "out" is expected
     scale: object = "kinetic"
     twin: "Job" = None            # the run that this one must agree with
     known: list = field(default_factory=list)
@@ -111,7 +112,9 @@ def _job(case, data, variant, setting, extra):
     limits = {name: limit for name, limit in limits.items() if limit is not False}
     scene = FOLDER / "scenes" / variant.get("scene", data.get("scene", ""))
     job = Job(case, variant["name"], setting, scene, {**data.get("set", {}), **variant.get("set", {}), **extra}, limits)
-    job.expect = variant.get("expect", ["ok"])
+    job.expect, job.breaks = variant.get("expect", ["ok"]), variant.get("breaks", [])
+    if "out" in job.expect and not job.breaks:
+        raise SystemExit(f"{case}: {variant['name']} expects \"out\" without `breaks`")
     job.scale = variant.get("scale", data.get("scale", "kinetic"))
     job.known = data.get("known", [])
     return job

@@ -13,6 +13,20 @@ TIME_LIMIT = 900      # s by the clock: ten times the longest run on a busy mach
 
 
 @dataclass
+class Program:
+    path: Path
+    isa: str = ""  # instruction set; empty = the best that there is
+
+    def label(self):
+        at = self.path.resolve().stat()
+        return [at.st_size, at.st_mtime_ns]
+
+    def version(self):
+        said = subprocess.run([str(self.path), "--version"], capture_output=True, text=True).stdout.strip()
+        return f"{said}, {self.isa}" if self.isa else said
+
+
+@dataclass
 class Outcome:
     code: int      # of the process; None: it was stopped after TIME_LIMIT
     said: str      # standard output and error
@@ -20,10 +34,10 @@ class Outcome:
     cpu: float     # s, of the whole process
 
 
-def run_all(jobs, root, sluice, parallel, done):
+def run_all(jobs, root, program, parallel, done):
     """Outcome of each job, in its order; `done(job, outcome, fresh)` is called as they end."""
     def work(job):
-        outcome, fresh = run(job, job.folder(root), sluice)
+        outcome, fresh = run(job, job.folder(root), program)
         done(job, outcome, fresh)
         return outcome
 
@@ -31,11 +45,12 @@ def run_all(jobs, root, sluice, parallel, done):
         return list(pool.map(work, jobs))
 
 
-def run(job, folder, sluice):
-    command = [str(sluice), "run", str(job.scene), "-o", str(folder), "--threads", str(job.threads)]
+def run(job, folder, program):
+    command = [str(program.path), "run", str(job.scene), "-o", str(folder), "--threads", str(job.threads)]
+    command += ["--isa", program.isa] if program.isa else []
     for key, value in job.set.items():
         command += ["--set", f"{key}={toml_value(value)}"]
-    label = {"command": command, "scene": job.scene.read_text(), "program": program_label(sluice)}
+    label = {"command": command, "scene": job.scene.read_text(), "program": program.label()}
     kept = _kept(folder, label)
     if kept:
         return kept, False
@@ -77,11 +92,6 @@ def _kept(folder, label):
     if record["label"] != json.loads(json.dumps(label)):
         return None
     return Outcome(record["code"], record["said"], folder, record["cpu"])
-
-
-def program_label(sluice):
-    at = Path(sluice).resolve().stat()
-    return [at.st_size, at.st_mtime_ns]
 
 
 def toml_value(value):

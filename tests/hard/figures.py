@@ -130,15 +130,8 @@ def angular_momentum(run):
 
 
 def fluid_density(run):
-    return _density_error(run, FLUID)
-
-
-def solid_density(run):
-    return _density_error(run, SOLID)
-
-
-def _density_error(run, phase):
-    mask = run.frames[0].of(phase)
+    """Largest error of the density, p/(rho0 c0^2) at rest."""
+    mask = run.frames[0].of(FLUID)
     return float(max(np.abs(frame["density"][mask] / run.density0[mask] - 1).max() for frame in run.frames))
 
 
@@ -210,12 +203,6 @@ def fluid_speed(run):
     return run.output.summary["max_mach"]
 
 
-def solid_speed(run):
-    """Of the highest speed of the first frame."""
-    solid = run.frames[0].of(SOLID)
-    return float(max(frame.speed()[solid].max() for frame in run.frames) / run.frames[0].speed()[solid].max())
-
-
 def _bonds(run):
     """Nearest neighbours of one solid body at the start."""
     first = run.frames[0]
@@ -276,7 +263,7 @@ def rebound(run):
 
 
 def tip(run):
-    """Largest displacement that the probe `free_end`, `middle` or `tip` shows, in m."""
+    """Largest displacement that the probe `free_end` or `middle` shows, in m."""
     name = next(n for n in ("free_end", "middle") if f"{n}.x" in run.output.probes)
     return float(np.hypot(run.output.probe(f"{name}.x"), run.output.probe(f"{name}.y")).max())
 
@@ -338,5 +325,5 @@ def leaked(run):
 
 FIGURES = {f.__name__: f for f in (
     finite, energy_gain, energy_excess, energy_loss, energy_drift, kinetic_end, momentum, angular_momentum, fluid_density,
-    solid_density, fluid_pair, inner_pair, coupling_pair, bodies_pair, wall_depth, fluid_speed, solid_speed, torn, cracked, pieces, rebound, tip,
-    void, fall, shape, twin, bits, leaked)}
+    fluid_pair, inner_pair, coupling_pair, bodies_pair, wall_depth, fluid_speed, torn, cracked, pieces, rebound, tip, void,
+    fall, shape, twin, bits, leaked)}

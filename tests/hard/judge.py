@@ -22,7 +22,9 @@ class Result:
 
     @property
     def expected(self):
-        return self.outcome in self.job.expect
+        """What must break has to, by the figures that the case names; failing altogether is breaking too."""
+        breaks = set(self.job.breaks) <= set(self.broken) if self.outcome == "out" else True
+        return self.outcome in self.job.expect and breaks
 
     @property
     def verdict(self):
@@ -83,9 +85,18 @@ def _message(said):
 
 
 def _known(job, result):
-    """The cause that the first entry of `known` that fits gives."""
+    """The cause that the first entry of `known` that fits gives: this run, this outcome, no figure beyond its bound."""
+    broken = set(result.broken) - {DISSIPATED}
     for entry in job.known:
+        bounds = entry.get("limits", {})
         fits = any(fnmatch.fnmatch(f"{job.variant} / {job.setting}", pattern) for pattern in entry["runs"])
-        if fits and result.outcome == entry["outcome"] and set(result.broken) - {DISSIPATED} <= set(entry.get("limits", result.broken)):
-            return entry["cause"]
+        if fits and result.outcome == entry["outcome"] and broken <= set(bounds):
+            if all(_bounded(result.figures[name], job.limits[name], bounds[name]) for name in broken):
+                return entry["cause"]
     return ""
+
+
+def _bounded(value, limit, bound):
+    """The bound replaces the limit on the side that is broken."""
+    side = "most" if value > limit.get("most", math.inf) else "least"
+    return within(value, {**limit, side: bound})

@@ -28,7 +28,7 @@ def main():
         results = _run(jobs, root, options)
     _report(results)
     if not options.fast and not options.cases:
-        (FOLDER / "results.md").write_text(table.text(cases, results, _program(options.sluice)))
+        (FOLDER / "results.md").write_text(table.text(cases, results, _program(options).version()))
         print(f"wrote {FOLDER / 'results.md'}")
     return 1 if any(r.verdict == "UNEXPLAINED" for r in results) else 0
 
@@ -40,8 +40,13 @@ def _options():
     parser.add_argument("--sluice", default=FOLDER.parents[1] / "build" / "bin" / "sluice", type=Path)
     parser.add_argument("--folder", default=FOLDER / "results", type=Path, help="where the runs are kept")
     parser.add_argument("--keep", action="store_true", help="keep the runs of --fast too")
+    parser.add_argument("--isa", default="", help="instruction set: baseline, avx2, avx512")
     parser.add_argument("-j", "--jobs", default=1, type=int, help="runs at a time")
     return parser.parse_args()
+
+
+def _program(options):
+    return execute.Program(options.sluice, options.isa)
 
 
 def _run(jobs, root, options):
@@ -53,7 +58,7 @@ def _run(jobs, root, options):
         print(f"[{count[0]}/{len(jobs)}, {time.monotonic() - started:.0f} s] {job.name}: "
               f"{process.cpu:.1f} s of CPU time{'' if fresh else ' (done before)'}", flush=True)
 
-    processes = execute.run_all(jobs, root, options.sluice, options.jobs, done)
+    processes = execute.run_all(jobs, root, _program(options), options.jobs, done)
     return [judge(job, process, root) for job, process in zip(jobs, processes)]
 
 
@@ -68,11 +73,6 @@ def _report(results):
           f"expected, {known} known shortfalls, {len(bad)} unexplained")
     for r in bad:
         print(f"  UNEXPLAINED: {r.job.name}: {r.outcome} {r.detail}")
-
-
-def _program(sluice):
-    import subprocess
-    return subprocess.run([str(sluice), "--version"], capture_output=True, text=True).stdout.strip()
 
 
 if __name__ == "__main__":
