@@ -97,7 +97,8 @@ def _fast_jobs(case, data, variants):
         variant = dict(variants[fast.get("variant", "base")])
         variant["limits"] = {**variant.get("limits", {}), **fast.get("limits", {})}
         variant["expect"] = fast.get("expect", variant.get("expect", ["ok"]))
-        job = _job(case, data, variant, "fast", fast.get("set", {}))
+        name = ", ".join(word for word in (fast.get("name"), "fast") if word)
+        job = _job(case, data, variant, name, fast.get("set", {}))
         listed.append(job)
         if fast.get("threads"):
             listed.append(_axis_job(case, data, {**variant, "set": {**variant.get("set", {}), **fast.get("set", {})}}, job,
