@@ -49,7 +49,7 @@ def _causes(results):
     for name in met:
         cause = causes[name]
         count = sum(r.cause == name for r in results)
-        lines.append(f"### {cause['title']}\n\n*{KINDS[cause['kind']]}; {count} runs; `{name}`.* {cause['text'].strip()}\n")
+        lines.append(f"### {cause['title']}\n\n*{KINDS[cause['kind']]}; runs: {count}; `{name}`.* {cause['text'].strip()}\n")
         if "scene" in cause:
             lines.append(f"Smallest scene: `scenes/{cause['scene']}`\n")
     return "\n".join(lines)
