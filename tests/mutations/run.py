@@ -154,10 +154,9 @@ class Workshop:
         return "" if code == 0 else symptom(kind, code, said)
 
     def command(self, kind, name):
-        nice = ["nice", "-n", "5"]
         if kind == "test":
-            return [*nice, self.build / "bin" / f"test_{name}"]
-        return [*nice, self.source / "validation" / "book.py", self.runs, "--quick", "--again", "--jobs", str(self.jobs),
+            return [self.build / "bin" / f"test_{name}"]
+        return [self.source / "validation" / "book.py", self.runs, "--quick", "--again", "--jobs", str(self.jobs),
                 "--only", name, "--sluice", self.build / "bin" / "sluice"]
 
     def key(self, mutation, kind, name):
