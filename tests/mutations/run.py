@@ -38,6 +38,7 @@ def arguments():
     parser.add_argument("--only", nargs="+", metavar="NAME", help="mutations of this list alone")
     parser.add_argument("--tests", nargs="*", choices=("kernels", "engine"), default=["kernels"],
                         help="unit tests to run beside the validation cases [kernels]")
+    parser.add_argument("--first", action="store_true", help="no further case for a mutation that one has noticed: for a quick look")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="of the build, and runs at a time [%(default)s]")
     parser.add_argument("--again", action="store_true", help="make also the checks that were made before")
     parser.add_argument("--report", action="store_true", help="only write results.md from the checks that were made")
@@ -220,6 +221,8 @@ def work(shop, mutations, options):
     for m, checks in [(UNMUTATED, needed), *lists]:
         open_ones = [(shop.key(m, *check), *check) for check in checks]
         todo.append((m, [one for one in open_ones if options.again or one[0] not in shop.found]))
+        if options.first and m is not UNMUTATED and any(shop.found.get(key) for key, kind, _ in open_ones if kind == "validation"):
+            todo[-1] = m, [one for one in todo[-1][1] if one[1] == "test"]
     progress = Progress(sum(len(checks) for _, checks in todo))
     failed_builds = 0
     for m, checks in todo:
@@ -227,7 +230,7 @@ def work(shop, mutations, options):
             continue
         try:
             with applied(shop.source, m):
-                run_checks(shop, m, checks, progress)
+                run_checks(shop, m, checks, progress, options.first)
         except Error as error:
             if m is UNMUTATED:
                 raise
@@ -238,7 +241,7 @@ def work(shop, mutations, options):
     return failed_builds
 
 
-def run_checks(shop, mutation, checks, progress):
+def run_checks(shop, mutation, checks, progress, first):
     """Validation cases first: the command is built sooner than the tests."""
     for kind in ("validation", "test"):
         ours = [one for one in checks if one[1] == kind]
@@ -249,6 +252,8 @@ def run_checks(shop, mutation, checks, progress):
             seen = shop.check(kind, name)
             shop.keep(key, seen)
             progress.say(mutation, f"{name} " + (f"noticed ({seen})" if seen else "passed"))
+            if seen and first and kind == "validation" and mutation is not UNMUTATED:
+                break
 
 
 # The report
@@ -316,6 +321,7 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # is Ctrl-C too: the program that runs must be stopped
     try:
         sys.exit(main())
     except KeyboardInterrupt:
