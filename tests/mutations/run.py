@@ -197,6 +197,8 @@ def symptom(kind, code, said):
         return f"{counts[1]} failed" if counts else f"exit code {code}"
     if failed := re.findall(r"^ *FAIL +(.*)$", said, re.MULTILINE):
         return failed[0]
+    if wrong := re.findall(r"^\S*Error: .*$", said, re.MULTILINE):
+        return f"cannot be judged: {wrong[-1]}"
     ended = re.search(r"BROKEN\n.*?: (.*)", said)
     return f"the run failed: {ended[1]}" if ended else f"exit code {code}"
 

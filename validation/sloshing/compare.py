@@ -112,15 +112,15 @@ def judge(verdict, studies_at, frames, large):
         verdict.limit(at + "centre of mass, L2", 100 * study.finest["centre of mass, L2"], "%", high=15 if ratio == NEAR else 5)
         verdict.limit(at + "elevation at the wall, L2", 100 * study.finest["wall, L2"], "%", high=20 if ratio == NEAR else 15)
     verdict.limit("natural frequency / theory", studies_at[NEAR].finest["ω1 / theory"], "", low=0.99, high=1.01)
-    judge_both_ways(verdict, frames)
+    judge_both_ways(verdict, frames, 3)
     first, last = large.frame_near(0), list(large.frames())[-1]
     verdict.none_of("large amplitude: particles lost, or outside the tank",
                     abs(len(last.points) - len(first.points)) + outside_tank(last))
 
 
-def judge_both_ways(verdict, frames):
-    """One flow, seen from two frames: what differs is the walls' ghosts, 1 % at H/d = 20 and at 40; 3 %."""
-    verdict.limit("moving walls against acceleration, centre of mass, L2", 100 * l2(frames[1], frames[2]), "%", high=3)
+def judge_both_ways(verdict, frames, high):
+    """One flow, seen from two frames: what differs is the walls' ghosts."""
+    verdict.limit("moving walls against acceleration, centre of mass, L2", 100 * l2(frames[1], frames[2]), "%", high=high)
 
 
 def outside_tank(frame):
@@ -129,11 +129,12 @@ def outside_tank(frame):
 
 
 def judge_quick(verdict, study, frames):
-    """At H/d = 40 after 3 s: theory within 20 %, first natural frequency within 3 %."""
+    """At H/d = 40 after 3 s: theory within 20 %, first natural frequency within 3 %. Moving walls at H/d = 20: the difference
+    is 0.9 %, and 1.2 % with the sign of the walls' acceleration wrong in their pressure."""
     verdict.limit("centre of mass, L2", 100 * study.finest["centre of mass, L2"], "%", high=15)
     verdict.limit("elevation at the wall, L2", 100 * study.finest["wall, L2"], "%", high=30)
     verdict.limit("natural frequency / theory", study.finest["ω1 / theory"], "", low=0.97, high=1.03)
-    judge_both_ways(verdict, frames)
+    judge_both_ways(verdict, frames, 1.05)
 
 
 def draw_elevation(axis, ratio, study):
