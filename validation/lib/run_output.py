@@ -20,7 +20,8 @@ class Frame:
         self.path, self.time = path, time
         with h5py.File(path, "r") as file:
             group = file["VTKHDF"]
-            self.points = np.asarray(group["Points"], dtype=float)[:, :2]
+            self.in_space = np.asarray(group["Points"], dtype=float)  # x, y, z
+            self.points = self.in_space[:, :2]
             self._fields = {name: np.asarray(data) for name, data in group["PointData"].items()}
 
     def __getitem__(self, name):

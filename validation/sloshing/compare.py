@@ -2,7 +2,7 @@
 """Runs the swayed tank below, near and above its first natural frequency at three spacings, and compares the elevation at the
 wall and the water's centre of mass with linear theory; the same with moving walls; and once far from linear.
 
-The quick form is the run near resonance alone, at H/d = 20 and 40 and for 3 s, with wider criteria.
+The quick form is the run near resonance alone, at H/d = 20 and 40 and for 3 s, with wider criteria, and with moving walls at 20.
 """
 import sys
 from pathlib import Path
@@ -83,14 +83,18 @@ def scene_at(ratio):
 
 def plan(quick):
     if quick:
-        return convergence.runs_at(f"ratio_{NEAR:g}", DEPTH, QUICK_COUNTS, {**constants(NEAR), "output.end": "3.0"})
+        near = convergence.runs_at(f"ratio_{NEAR:g}", DEPTH, QUICK_COUNTS, {**constants(NEAR), "output.end": "3.0"})
+        return near + both_ways(QUICK_COUNTS[0], {"output.end": "3.0"})
     swayed = [run for ratio in SWAYED for run in convergence.runs_at(f"ratio_{ratio:g}", DEPTH, COUNTS, constants(ratio))]
-    spacing = {convergence.SPACING: f"{DEPTH / CHECKED_AT:.10g}"}
-    outside = {**spacing, **constants(NEAR)}
+    return swayed + both_ways(CHECKED_AT) + [Run("large", {convergence.SPACING: f"{DEPTH / CHECKED_AT:.10g}", **LARGE})]
+
+
+def both_ways(count, changes=()):
+    """Walls that move, and the same tank seen from within."""
+    outside = {convergence.SPACING: f"{DEPTH / count:.10g}", **constants(NEAR), **dict(changes)}
     inside = {**outside, **{f"walls.{name}.motion.displacement": STILL for name in ("floor", "left", "right")},
               "acceleration": '["F*sin(omega*t)", "0"]', "bodies.water.velocity": STILL}
-    return swayed + [Run("moving_walls", outside, "moving.toml"), Run("fixed_walls", inside, "moving.toml"),
-                     Run("large", {**spacing, **LARGE})]
+    return [Run("moving_walls", outside, "moving.toml"), Run("fixed_walls", inside, "moving.toml")]
 
 
 def compare_frames(outside, inside):
@@ -108,10 +112,15 @@ def judge(verdict, studies_at, frames, large):
         verdict.limit(at + "centre of mass, L2", 100 * study.finest["centre of mass, L2"], "%", high=15 if ratio == NEAR else 5)
         verdict.limit(at + "elevation at the wall, L2", 100 * study.finest["wall, L2"], "%", high=20 if ratio == NEAR else 15)
     verdict.limit("natural frequency / theory", studies_at[NEAR].finest["ω1 / theory"], "", low=0.99, high=1.01)
-    verdict.limit("moving walls against acceleration, centre of mass, L2", 100 * l2(frames[1], frames[2]), "%", high=3)
+    judge_both_ways(verdict, frames, 3)
     first, last = large.frame_near(0), list(large.frames())[-1]
     verdict.none_of("large amplitude: particles lost, or outside the tank",
                     abs(len(last.points) - len(first.points)) + outside_tank(last))
+
+
+def judge_both_ways(verdict, frames, high):
+    """One flow, seen from two frames: what differs is the walls' ghosts."""
+    verdict.limit("moving walls against acceleration, centre of mass, L2", 100 * l2(frames[1], frames[2]), "%", high=high)
 
 
 def outside_tank(frame):
@@ -119,11 +128,13 @@ def outside_tank(frame):
     return int(np.count_nonzero((x < 0) | (x > LENGTH) | (y < 0) | ~np.isfinite(x)))
 
 
-def judge_quick(verdict, study):
-    """At H/d = 40 after 3 s: theory within 20 %, first natural frequency within 3 %."""
+def judge_quick(verdict, study, frames):
+    """At H/d = 40 after 3 s: theory within 20 %, first natural frequency within 3 %. Moving walls at H/d = 20: the difference
+    is 0.9 %, and 1.2 % with the sign of the walls' acceleration wrong in their pressure."""
     verdict.limit("centre of mass, L2", 100 * study.finest["centre of mass, L2"], "%", high=15)
     verdict.limit("elevation at the wall, L2", 100 * study.finest["wall, L2"], "%", high=30)
     verdict.limit("natural frequency / theory", study.finest["ω1 / theory"], "", low=0.97, high=1.03)
+    judge_both_ways(verdict, frames, 1.05)
 
 
 def draw_elevation(axis, ratio, study):
@@ -165,10 +176,11 @@ def study(done):
     at = {ratio: convergence.study_at(scene_at(ratio), f"ratio_{ratio:g}", counts, done) for ratio in ratios}
     draw(at, picture)
     figures = [Figure(picture, "Elevation at the wall against linear theory, below, near and above the natural frequency.", "figure.svg")]
+    frames = compare_frames(done.runs["moving_walls"], done.runs["fixed_walls"])
     if done.quick:
-        judge_quick(verdict, at[NEAR])
+        judge_quick(verdict, at[NEAR], frames)
     else:
-        judge(verdict, at, compare_frames(done.runs["moving_walls"], done.runs["fixed_walls"]), done.runs["large"])
+        judge(verdict, at, frames, done.runs["large"])
         draw_large(done.runs["large"], done.folder / "large.svg")
         figures.append(Figure(done.folder / "large.svg", "Far from linear: 50 mm at the natural frequency; colour: speed."))
     return Result(
