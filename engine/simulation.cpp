@@ -169,7 +169,13 @@ struct Simulation<Dim>::Impl {
 };
 
 template <int Dim>
-Simulation<Dim>::Simulation(const Scene& scene) : impl_(Impl::guarded([&] { return std::make_unique<Impl>(scene); })) {}
+Simulation<Dim>::Simulation(const Scene& scene) {
+    try {
+        impl_ = std::make_unique<Impl>(scene);
+    } catch (const std::length_error& error) {  // too far apart for the search's cells
+        throw SceneError(scene.file + ": " + error.what());
+    }
+}
 template <int Dim>
 Simulation<Dim>::~Simulation() = default;
 
