@@ -18,7 +18,7 @@ import subprocess
 import sys
 import time
 import tomllib
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -153,7 +153,8 @@ class Workshop:
                 said, _ = child.communicate(timeout=LONGEST[kind])
                 code = child.returncode
             except (subprocess.TimeoutExpired, KeyboardInterrupt) as reason:
-                os.killpg(child.pid, signal.SIGTERM)  # the runs that it has started too
+                with suppress(ProcessLookupError):  # it may just have ended
+                    os.killpg(child.pid, signal.SIGTERM)  # the runs that it has started too
                 child.communicate()
                 if isinstance(reason, KeyboardInterrupt):
                     raise
