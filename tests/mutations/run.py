@@ -18,14 +18,15 @@ import subprocess
 import sys
 import time
 import tomllib
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 UNMUTATED = {"name": "(none)"}
-# CPU time is rationed: these take longer than all that is unchanged by much, and hang for no longer than that.
-LONGEST = {"validation": 600.0, "test": 900.0}  # s; the longest case takes 30 s unmutated, with two cores for itself
+MATTER = (".hpp", ".cpp", ".py", ".toml", ".csv", ".txt")  # files that the outcome of a check depends on
+# What takes longer than this hangs: unmutated, the longest case takes 30 s of two cores, test_engine some minutes. [s]
+LONGEST = {"validation": 600.0, "test": 900.0}
 
 
 class Error(Exception):
@@ -34,11 +35,13 @@ class Error(Exception):
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scratch", type=Path, default=ROOT / "results" / "mutations", help="folder of copy and build [%(default)s]")
+    parser.add_argument("--scratch", type=Path, default=ROOT / "results" / "mutations",
+                        help="folder of copy and build [%(default)s]")
     parser.add_argument("--only", nargs="+", metavar="NAME", help="mutations of this list alone")
     parser.add_argument("--tests", nargs="*", choices=("kernels", "engine"), default=["kernels"],
                         help="unit tests to run beside the validation cases [kernels]")
-    parser.add_argument("--first", action="store_true", help="no further case for a mutation that one has noticed: for a quick look")
+    parser.add_argument("--first", action="store_true",
+                        help="no further case for a mutation that one has noticed: for a quick look")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="of the build, and runs at a time [%(default)s]")
     parser.add_argument("--again", action="store_true", help="make also the checks that were made before")
     parser.add_argument("--report", action="store_true", help="only write results.md from the checks that were made")
@@ -136,19 +139,22 @@ class Workshop:
         self.call(["cmake", "--build", self.build, "-j", str(self.jobs), "--target", *targets])
 
     def call(self, command):
-        done = subprocess.run(["nice", "-n", "5", *map(str, command)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        words = ["nice", "-n", "5", *map(str, command)]
+        done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if done.returncode:
             raise Error(done.stdout[-4000:])
 
     def check(self, kind, name):
         """What noticed: an empty text if the check passes."""
         words, code, said = self.command(kind, name), None, ""
-        with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True) as child:
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+        with subprocess.Popen(words, **pipes, start_new_session=True) as child:
             try:
                 said, _ = child.communicate(timeout=LONGEST[kind])
                 code = child.returncode
             except (subprocess.TimeoutExpired, KeyboardInterrupt) as reason:
-                os.killpg(child.pid, signal.SIGTERM)  # the runs that it has started too
+                with suppress(ProcessLookupError):  # it may just have ended
+                    os.killpg(child.pid, signal.SIGTERM)  # the runs that it has started too
                 child.communicate()
                 if isinstance(reason, KeyboardInterrupt):
                     raise
@@ -169,7 +175,7 @@ class Workshop:
 
     def digest_of(self, part):
         if part not in self.digests:
-            files = [path for path in sorted((ROOT / part).rglob("*")) if path.suffix in (".hpp", ".cpp", ".py", ".toml", ".csv", ".txt")]
+            files = [path for path in sorted((ROOT / part).rglob("*")) if path.suffix in MATTER]
             self.digests[part] = digest(text for path in files for text in (str(path.relative_to(ROOT)), path.read_text()))
         return self.digests[part]
 
@@ -216,20 +222,12 @@ class Progress:
 
 
 def work(shop, mutations, options):
-    """Makes all checks that are lacking; the unmutated program comes first, since what fails without a mutation proves nothing."""
-    lists = [(m, list(checks_of(m, options.tests))) for m in mutations]
-    needed = sorted({check for _, checks in lists for check in checks}, key=lambda c: (c[0] == "test", c[1]))
-    todo = []
-    for m, checks in [(UNMUTATED, needed), *lists]:
-        open_ones = [(shop.key(m, *check), *check) for check in checks]
-        todo.append((m, [one for one in open_ones if options.again or one[0] not in shop.found]))
-        if options.first and m is not UNMUTATED and any(shop.found.get(key) for key, kind, _ in open_ones if kind == "validation"):
-            todo[-1] = m, [one for one in todo[-1][1] if one[1] == "test"]
+    """Makes all checks that are lacking, first those of the unmutated program: what fails there proves nothing. Returns how
+    many mutations could not be built."""
+    todo = plan(shop, mutations, options)
     progress = Progress(sum(len(checks) for _, checks in todo))
     failed_builds = 0
     for m, checks in todo:
-        if not checks:
-            continue
         try:
             with applied(shop.source, m):
                 run_checks(shop, m, checks, progress, options.first)
@@ -241,6 +239,22 @@ def work(shop, mutations, options):
             print(f"{m['name']}: cannot be built\n{error}", file=sys.stderr)
         write_results(shop, read_mutations())
     return failed_builds
+
+
+def plan(shop, mutations, options):
+    """(mutation, [(key, kind, name)]) of all that has something lacking."""
+    lists = [(m, list(checks_of(m, options.tests))) for m in mutations]
+    needed = sorted({check for _, checks in lists for check in checks}, key=lambda check: (check[0] == "test", check[1]))
+    todo = []
+    for m, checks in [(UNMUTATED, needed), *lists]:
+        keyed = [(shop.key(m, *check), *check) for check in checks]
+        lacking = [one for one in keyed if options.again or one[0] not in shop.found]
+        noticed = m is not UNMUTATED and any(shop.found.get(key) for key, kind, _ in keyed if kind == "validation")
+        if options.first and noticed and not options.again:
+            lacking = [one for one in lacking if one[1] == "test"]
+        if lacking:
+            todo.append((m, lacking))
+    return todo
 
 
 def run_checks(shop, mutation, checks, progress, first):
@@ -270,7 +284,7 @@ def row_of(shop, m):
     cases = {case: outcome(shop, m, "validation", case) for case in m["cases"]}
     seen = [f"{case}: {text.replace('|', '/')}" for case, text in cases.items() if text]
     passed = [case for case, text in cases.items() if text == ""]
-    tests = {name: outcome(shop, m, *check) for check in checks_of(m, ("kernels", "engine")) for name in [check[1]] if check[0] == "test"}
+    tests = {name: outcome(shop, m, kind, name) for kind, name in checks_of(m, ("kernels", "engine")) if kind == "test"}
     units = [f"{name}: {text or 'none'}" for name, text in tests.items() if text is not None]
     open_ones = [case for case, text in cases.items() if text is None]
     verdict = "; ".join(seen) or ("not yet run" if open_ones else f"**survives**. {m.get('survives', '')}".strip())
