@@ -61,8 +61,8 @@ class Simulation {
     Vec<Dim> momentum() const;                          ///< of all moving particles [kg m/s]
     Vec<Dim> force_on(std::size_t body) const;          ///< of the fluid on a solid body [N; N/m in 2D]
     Vec<Dim> contact_force_on(std::size_t body) const;  ///< of what a solid body touches [N; N/m in 2D]
-    /// Fluid particles that are too close to others, walls, or solids that are their moving boundary.
-    ClosestPair closest_pair(const Nearness& spacings) const;
+    /// Fluid particles nearer than so many spacings to others, fixed walls, or solids that are their moving boundary.
+    ClosestPair closest_pair(Neighbor to, double spacings) const;
     /// Later steps are so much of what they would be: 1 at the start.
     void set_step_share(double share);
     InterfaceBalance interface_balance() const;  ///< worst residual over all steps so far

@@ -9,33 +9,27 @@
 namespace sluice {
 
 template <int Dim>
-ClosestPair closest_pair(const StepContext<Dim>& c, const Nearness& spacings) {
+ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings) {
+    if (to == Neighbor::wall && !c.has(Effect::fixed_wall)) return {};
+    if (to == Neighbor::solid && !c.has(Effect::moving_boundary)) return {};
     const auto& fluid = c.state.fluid;
-    ClosestPair closest;
-    std::size_t among_fluid = 0;
-    ScalarField crowding(fluid.owned);
-    const auto look = [&](const ParticleView<Dim>& others, const NeighborList& list, Neighbor to, double of_itself) {
-        const double limit = to == Neighbor::fluid ? spacings.fluid : spacings.boundary;
-        std::fill(crowding.begin(), crowding.end(), of_itself);
-        crowding_of<Dim>(view_of(fluid), others, list, limit / c.scene.method.smoothing_length, crowding);
-        const auto most = std::max_element(crowding.begin(), crowding.end());
-        const double excess = most == crowding.end() ? 0 : *most - of_itself;
-        if (!(excess > 0)) return;
-        if (to == Neighbor::fluid)
-            among_fluid = static_cast<std::size_t>(
-                std::count_if(crowding.begin(), crowding.end(), [&](double sum) { return sum > of_itself; }));
-        const double distance = limit * std::sqrt(std::max(0.0, 1 - excess));
-        if (closest.found && distance >= closest.spacings) return;
-        closest = {distance, to, static_cast<Index>(most - crowding.begin()), 0, true};
+    const double of_itself = to == Neighbor::fluid ? 1 : 0;  // a particle is its own neighbour
+    ScalarField crowding(fluid.owned, of_itself);
+    const auto look = [&](const ParticleView<Dim>& others, const NeighborList& list) {
+        crowding_of<Dim>(view_of(fluid), others, list, spacings / c.scene.method.smoothing_length, crowding);
     };
-    look(view_of(fluid), c.neighbors.fluid_fluid, Neighbor::fluid, 1);
-    if (c.has(Effect::fixed_wall)) look(view_of(c.state.wall), c.neighbors.fluid_wall, Neighbor::wall, 0);
-    if (c.has(Effect::moving_boundary)) look(view_of(c.state.boundary), c.neighbors.fluid_boundary, Neighbor::solid, 0);
-    closest.count = among_fluid;
-    return closest;
+    if (to == Neighbor::fluid) look(view_of(fluid), c.neighbors.fluid_fluid);
+    if (to == Neighbor::wall) look(view_of(c.state.wall), c.neighbors.fluid_wall);
+    if (to == Neighbor::solid) look(view_of(c.state.boundary), c.neighbors.fluid_boundary);
+    const auto count = std::count_if(crowding.begin(), crowding.end(), [&](double sum) { return sum > of_itself; });
+    if (count == 0) return {};
+    const auto most = std::max_element(crowding.begin(), crowding.end());
+    const double nearness = std::min(1.0, *most - of_itself);
+    return {static_cast<std::size_t>(count), spacings * std::sqrt(1 - nearness),
+            static_cast<Index>(most - crowding.begin())};
 }
 
-template ClosestPair closest_pair<2>(const StepContext<2>&, const Nearness&);
-template ClosestPair closest_pair<3>(const StepContext<3>&, const Nearness&);
+template ClosestPair closest_pair<2>(const StepContext<2>&, Neighbor, double);
+template ClosestPair closest_pair<3>(const StepContext<3>&, Neighbor, double);
 
 }  // namespace sluice

@@ -8,29 +8,23 @@ namespace sluice {
 /// What a fluid particle has come too close to.
 enum class Neighbor { fluid, solid, wall };
 
-/// What is too close, in spacings: among the fluid, and to walls and solids.
-struct Nearness {
-    double fluid = 0, boundary = 0;
-};
-
 struct ClosestPair {
+    std::size_t count = 0;  ///< fluid particles that are too close; 0 = there is no such pair
     double spacings =
-        0;  ///< their distance over the mean spacing; exact if they are alone so close, else a little more
-    Neighbor to = Neighbor::fluid;
-    Index particle = 0;     ///< index of the fluid particle
-    std::size_t count = 0;  ///< fluid particles so close to one another
-    bool found = false;
+        0;               ///< the closest one's distance over the mean spacing; a little less if it has several so close
+    Index particle = 0;  ///< index of the fluid particle
 };
 
 template <int Dim>
 struct StepContext;
 
-/// Looks at each fluid particle and its neighbours among the fluid, fixed walls, and solids that are the fluid's moving
-/// boundary, for those too near. A pass over all pairs.
+/// Looks at each fluid particle for neighbours nearer than so many spacings among the fluid, among fixed walls, or
+/// among solids that are the fluid's moving boundary; none if the scene has no such neighbours. A pass over their
+/// pairs.
 template <int Dim>
-ClosestPair closest_pair(const StepContext<Dim>& c, const Nearness& spacings);
+ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings);
 
-extern template ClosestPair closest_pair<2>(const StepContext<2>&, const Nearness&);
-extern template ClosestPair closest_pair<3>(const StepContext<3>&, const Nearness&);
+extern template ClosestPair closest_pair<2>(const StepContext<2>&, Neighbor, double);
+extern template ClosestPair closest_pair<3>(const StepContext<3>&, Neighbor, double);
 
 }  // namespace sluice

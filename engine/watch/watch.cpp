@@ -99,7 +99,9 @@ void Watch<Dim>::look(const Simulation<Dim>& simulation) {
     if (simulation.fluid().owned > 0) {
         look_at_speed(simulation);
         look_at_density(simulation);
-        look_at_pairs(simulation);
+        look_at_crowds(simulation);
+        look_at_entries(simulation, Neighbor::wall);
+        look_at_entries(simulation, Neighbor::solid);
     }
     if (energy_is_closed_) look_at_energy(simulation);
 }
@@ -167,26 +169,28 @@ void Watch<Dim>::look_at_density(const Simulation<Dim>& simulation) {
 }
 
 template <int Dim>
-void Watch<Dim>::look_at_pairs(const Simulation<Dim>& simulation) {
-    const ClosestPair closest = simulation.closest_pair({nearest_fluid, nearest_boundary});
-    if (!closest.found) return;
-    const bool among_fluid = closest.to == Neighbor::fluid;
+void Watch<Dim>::look_at_crowds(const Simulation<Dim>& simulation) {
+    const ClosestPair closest = simulation.closest_pair(Neighbor::fluid, nearest_fluid);
     const double share = static_cast<double>(closest.count) / static_cast<double>(simulation.fluid().owned);
-    if (among_fluid && share < crowded_share) return;
-    const Suspicion what = among_fluid ? Suspicion::crowding : Suspicion::entry;
-    const Warning& before = warnings_[static_cast<std::size_t>(what)];
-    const std::string place = place_of<Dim>(simulation.fluid(), closest.particle, simulation.scene());
-    const std::string message =
-        among_fluid
-            ? fmt::format(
-                  "{:.2g} % of the fluid's particles pair, {} most, {:.2g} spacings from its neighbour; "
-                  "particle_shifting, a Wendland smoothing function or a smaller courant keep them apart",
-                  100 * share, place, closest.spacings)
-            : fmt::format(
-                  "{} is {:.2g} spacings from {}: it goes through; a solid or wall thinner than two spacings, or "
-                  "a courant or sound_speed too small for the impact",
-                  place, closest.spacings, closest.to == Neighbor::wall ? "a wall's" : "a solid's");
-    suspect(what, closest.spacings, closest.spacings < before.worst, simulation.time(), message);
+    if (!(share >= crowded_share)) return;
+    const double worst = warnings_[static_cast<std::size_t>(Suspicion::crowding)].worst;
+    suspect(Suspicion::crowding, closest.spacings, closest.spacings < worst, simulation.time(),
+            fmt::format("{:.2g} % of the fluid's particles pair, {} most, {:.2g} spacings from its neighbour; "
+                        "particle_shifting, a Wendland smoothing function or a smaller courant keep them apart",
+                        100 * share, place_of<Dim>(simulation.fluid(), closest.particle, simulation.scene()),
+                        closest.spacings));
+}
+
+template <int Dim>
+void Watch<Dim>::look_at_entries(const Simulation<Dim>& simulation, Neighbor into) {
+    const ClosestPair closest = simulation.closest_pair(into, nearest_boundary);
+    if (closest.count == 0) return;
+    const double worst = warnings_[static_cast<std::size_t>(Suspicion::entry)].worst;
+    suspect(Suspicion::entry, closest.spacings, closest.spacings < worst, simulation.time(),
+            fmt::format("{} is {:.2g} spacings from {}: it goes through; a solid or wall thinner than two spacings, or "
+                        "a courant or sound_speed too small for the impact",
+                        place_of<Dim>(simulation.fluid(), closest.particle, simulation.scene()), closest.spacings,
+                        into == Neighbor::wall ? "a wall's" : "a solid's"));
 }
 
 template <int Dim>

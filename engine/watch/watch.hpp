@@ -64,7 +64,8 @@ class Watch {
     void forgive(const Simulation<Dim>& simulation);
     void look_at_speed(const Simulation<Dim>& simulation);
     void look_at_density(const Simulation<Dim>& simulation);
-    void look_at_pairs(const Simulation<Dim>& simulation);
+    void look_at_crowds(const Simulation<Dim>& simulation);
+    void look_at_entries(const Simulation<Dim>& simulation, Neighbor into);
     void look_at_energy(const Simulation<Dim>& simulation);
 
     bool forgiving_;           ///< the policy is to warn

@@ -102,9 +102,10 @@ TEST_CASE("Water inside a solid is named") {
     Watch<2> watch(s);
     watch.look(s);
     CHECK(warning_of(watch, "entry").looks == 0);
-    ClosestPair closest = s.closest_pair({0.2, 1.2});
-    REQUIRE(closest.found);
-    CHECK(closest.to == Neighbor::solid);
+    const ClosestPair closest = s.closest_pair(Neighbor::solid, 1.2);
+    REQUIRE(closest.count == 10);  // the column beside the block
+    CHECK(s.closest_pair(Neighbor::fluid, 0.2).count == 0);
+    CHECK(s.closest_pair(Neighbor::wall, 1.2).count == 0);
     CHECK(closest.spacings == Approx(1).epsilon(0.2));  // several are that close
 }
 
