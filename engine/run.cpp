@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,8 +13,10 @@
 #include "engine/checkpoint/checkpoint_times.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/background_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/frames.hpp"
+#include "engine/output/hdf5_file.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/output/progress.hpp"
 #include "engine/output/report.hpp"
@@ -92,14 +95,18 @@ class Run {
             resume(options.resume_from, std::move(probes));
         record_.setup_seconds += seconds_since(start_);
         update_summary();
+        writer_.finish();
     }
 
     RunStatus execute() {
         try {
-            advance();
-            finish();
-        } catch (const NumericalError& failure) {
-            fail(failure.what());
+            try {
+                advance();
+                finish();
+            } catch (const NumericalError& failure) {
+                fail(failure.what());
+            }
+            writer_.finish();
         } catch (const OutputError& failure) {
             record_failed_output(failure);
             throw;
@@ -115,8 +122,8 @@ class Run {
         write_atomically(directory_ / "scene.toml", simulation_.scene().source);
         record_.probe_columns = probes.columns();
         checkpoints_.emplace(directory_);
-        probes_.emplace(directory_, std::move(probes));
-        if (simulation_.scene().output.frame_interval > 0) frames_.emplace(directory_);
+        probes_.emplace(directory_, std::move(probes), writer_);
+        if (simulation_.scene().output.frame_interval > 0) frames_.emplace(directory_, writer_);
     }
 
     /// The state comes first: a checkpoint that does not fit is refused before results are cut back to it.
@@ -126,8 +133,8 @@ class Run {
         restore(open_checkpoint(checkpoint), written);
         record_.probe_columns = probes.columns();
         checkpoints_.emplace(directory_, checkpoint);
-        probes_.emplace(directory_, std::move(probes), written.probe_bytes);
-        if (simulation_.scene().output.frame_interval > 0) frames_.emplace(directory_, written.frame_times);
+        probes_.emplace(directory_, std::move(probes), written.probe_bytes, writer_);
+        if (simulation_.scene().output.frame_interval > 0) frames_.emplace(directory_, written.frame_times, writer_);
         write_atomically(directory_ / "scene.toml", simulation_.scene().source);
     }
 
@@ -203,6 +210,7 @@ class Run {
         Recovery::Good& good = recovery_.before(simulation_.work().steps);
         const Retry retry{simulation_.work().steps, simulation_.time(), failure.what()};
         if (simulation_.scene().watch != WatchPolicy::retry || !recovery_.shorten(retry.step)) {
+            writer_.finish();
             if (simulation_.scene().output.has_checkpoints()) checkpoints_->write(good.step, good.image);
             return false;
         }
@@ -217,8 +225,9 @@ class Run {
         record_.retries.push_back(retry);
         ++record_.retry_count;
         simulation_.set_step_share(shortening.share);
+        writer_.finish();
         probes_->cut_back(written.probe_bytes);
-        if (frames_) frames_.emplace(directory_, written.frame_times);
+        if (frames_) frames_.emplace(directory_, written.frame_times, writer_);
         progress_.note(fmt::format("{}; going on from t = {:.4g} s with {:.3g} of the step", retry.message,
                                    simulation_.time(), shortening.share));
         return true;
@@ -260,7 +269,7 @@ class Run {
         frame_written_ = simulation_.time();
     }
 
-    /// What is counted as written must be on the disk first.
+    /// What is counted as written is on the disk before the checkpoint is.
     void write_checkpoint() {
         watch_.check(simulation_);
         const double before = record_.checkpoint_seconds;
@@ -270,7 +279,9 @@ class Run {
             if (frames_) frames_->sync();
             note_time();
             ++record_.checkpoints;
-            checkpoints_->write(simulation_.work().steps, [this](const StateWriter& writer) { save(writer); });
+            const auto image = std::make_shared<CheckpointImage>([this](const StateWriter& writer) { save(writer); });
+            const std::uint64_t step = simulation_.work().steps;
+            writer_.add(image->bytes(), [this, image, step] { checkpoints_->write(step, *image); });
         }
         checkpoint_times_.was_written(record_.checkpoint_seconds - before);
     }
@@ -301,7 +312,10 @@ class Run {
         record_.probe_values = probes_->sample(simulation_);
         record_.warnings = watch_.warnings();
         record_.looks = watch_.looks();
-        write_summary(directory_, simulation_, record_);
+        std::string text = summary_text(simulation_, record_);
+        const std::size_t bytes = text.size();
+        writer_.add(bytes,
+                    [file = directory_ / "summary.json", text = std::move(text)] { write_atomically(file, text); });
     }
 
     void fail(const std::string& message) {
@@ -316,11 +330,13 @@ class Run {
     void record_failed_output(const OutputError& failure) {
         try {
             fail(failure.what());
+            writer_.finish();
         } catch (const OutputError&) {
             std::error_code ignored;
             std::filesystem::remove(directory_ / "summary.json", ignored);
             try {
                 update_summary();
+                writer_.finish();
             } catch (const OutputError&) {
             }
         }
@@ -349,6 +365,8 @@ class Run {
     std::optional<FrameWriter<Dim>> frames_;
     double probe_written_ = -1, frame_written_ = -1;  ///< simulated time of the last one [s]
     double wall_before_ = 0, cpu_before_ = 0;         ///< of the run up to the checkpoint that it goes on from [s]
+    /// Last, so that it has finished before what it writes for goes.
+    BackgroundWriter writer_{Hdf5File::is_thread_safe() ? BackgroundWriter::default_capacity : 0};
 };
 
 }  // namespace

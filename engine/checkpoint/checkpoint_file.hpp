@@ -21,6 +21,8 @@ class CheckpointImage {
     explicit CheckpointImage(const std::function<void(const StateWriter&)>& fill);
 
     StateReader reader() const;
+    /// What it takes in memory.
+    std::size_t bytes() { return hdf_.image().size(); }
     /// Writes a file, wholly or not at all, and makes the disk keep it. Throws OutputError.
     void write(const std::filesystem::path& file);
 

@@ -155,6 +155,13 @@ class TableWriter {
 
 }  // namespace
 
+std::size_t bytes_of(const FrameTable& table) {
+    std::size_t bytes = table.medium.size() + 2 * table.body.size() + 4 * table.id.size();
+    bytes += sizeof(float) * (table.points.size() + table.velocity.size());
+    for (const FrameScalar& scalar : table.scalars) bytes += sizeof(float) * scalar.value.size();
+    return bytes;
+}
+
 template <int Dim>
 FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall,
                        const Hyperelastic& law) {

@@ -31,6 +31,9 @@ struct FrameTable {
     std::vector<std::uint32_t> id;     ///< number within the medium
 };
 
+/// What it takes in memory.
+std::size_t bytes_of(const FrameTable& table);
+
 /// Images are left out. `law`: of a total-Lagrangian solid, whose stress and Green strain follow from its deformation.
 template <int Dim>
 FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall,

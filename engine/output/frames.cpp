@@ -93,14 +93,16 @@ void write_frame(const std::filesystem::path& file, const FrameTable& table, con
 }
 
 template <int Dim>
-FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory) : folder_(directory / "frames") {
+FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory, BackgroundWriter& writer)
+    : folder_(directory / "frames"), writer_(writer) {
     make_folder(folder_);
     remove_frames(folder_, {});
 }
 
 template <int Dim>
-FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory, const std::vector<double>& times)
-    : folder_(directory / "frames") {
+FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory, const std::vector<double>& times,
+                              BackgroundWriter& writer)
+    : folder_(directory / "frames"), writer_(writer) {
     make_folder(folder_);
     std::vector<std::string> kept;
     for (const double time : times) {
@@ -108,7 +110,7 @@ FrameWriter<Dim>::FrameWriter(const std::filesystem::path& directory, const std:
         frames_.push_back({kept.back(), time});
     }
     remove_frames(folder_, kept);
-    write_series();
+    write_atomically(folder_ / series_name, series());
 }
 
 template <int Dim>
@@ -119,26 +121,29 @@ std::vector<double> FrameWriter<Dim>::times() const {
 }
 
 template <int Dim>
-void FrameWriter<Dim>::sync() const {
-    sync_folder(folder_);
+void FrameWriter<Dim>::sync() {
+    writer_.add(0, [folder = folder_] { sync_folder(folder); });
 }
 
 template <int Dim>
 void FrameWriter<Dim>::write(const Simulation<Dim>& simulation) {
-    const Frame frame{frame_name(frames_.size()), simulation.time()};
-    write_frame(folder_ / frame.name,
-                frame_table(simulation.fluid(), simulation.solid(), simulation.wall(), simulation.elastic_law()),
-                {frame.time, simulation.work().steps, simulation.scene().title});
-    frames_.push_back(frame);
-    write_series();
+    frames_.push_back({frame_name(frames_.size()), simulation.time()});
+    FrameTable table = frame_table(simulation.fluid(), simulation.solid(), simulation.wall(), simulation.elastic_law());
+    const std::size_t bytes = bytes_of(table);
+    const FrameLabel label{simulation.time(), simulation.work().steps, simulation.scene().title};
+    writer_.add(bytes,
+                [folder = folder_, name = frames_.back().name, table = std::move(table), label, series = series()] {
+                    write_frame(folder / name, table, label);
+                    write_atomically(folder / series_name, series);
+                });
 }
 
 template <int Dim>
-void FrameWriter<Dim>::write_series() const {
+std::string FrameWriter<Dim>::series() const {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const Frame& frame : frames_) files.push_back({{"name", frame.name}, {"time", frame.time}});
     const nlohmann::ordered_json series{{"file-series-version", "1.0"}, {"files", files}};
-    write_atomically(folder_ / series_name, series.dump(1) + "\n");
+    return series.dump(1) + "\n";
 }
 
 template class FrameWriter<2>;

@@ -170,6 +170,11 @@ Hdf5Handle Hdf5File::open_root() const {
     return {H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "open the root group"};
 }
 
+bool Hdf5File::is_thread_safe() {
+    hbool_t safe = false;
+    return H5is_library_threadsafe(&safe) >= 0 && safe;
+}
+
 std::string Hdf5File::bytes() const {
     check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "finish a file");
     const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);

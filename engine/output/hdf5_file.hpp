@@ -98,6 +98,8 @@ class Hdf5File {
     explicit Hdf5File(std::size_t user_block = 0);
     Hdf5Group root() const { return Hdf5Group(open_root()); }
     Hdf5Handle open_root() const;
+    /// Whether the library may be used by several threads at once, each with a file of its own.
+    static bool is_thread_safe();
     /// The file's content so far; groups should be closed by then.
     std::string bytes() const;
     /// The same in place, with the user block in front, which may be written to. Valid until the file changes or goes.

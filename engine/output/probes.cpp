@@ -55,14 +55,16 @@ std::vector<double> Probes<Dim>::sample(const Simulation<Dim>& simulation) const
 }
 
 template <int Dim>
-ProbeWriter<Dim>::ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes)
-    : probes_(std::move(probes)), file_(directory / "probes.csv") {
+ProbeWriter<Dim>::ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, BackgroundWriter& writer)
+    : probes_(std::move(probes)), file_(directory / "probes.csv"), writer_(writer) {
     file_.append(heading());
+    size_ = file_.size();
 }
 
 template <int Dim>
-ProbeWriter<Dim>::ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, std::uint64_t size)
-    : probes_(std::move(probes)), file_(directory / "probes.csv", size) {
+ProbeWriter<Dim>::ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, std::uint64_t size,
+                              BackgroundWriter& writer)
+    : probes_(std::move(probes)), file_(directory / "probes.csv", size), writer_(writer), size_(size) {
     std::ifstream table(directory / "probes.csv");
     std::string found;
     std::getline(table, found);
@@ -82,7 +84,20 @@ template <int Dim>
 void ProbeWriter<Dim>::write(const Simulation<Dim>& simulation) {
     std::string row = fmt::format("{}", simulation.time());
     for (const double value : sample(simulation)) row += fmt::format(",{}", value);
-    file_.append(std::move(row));
+    size_ += row.size() + 1;  // the end of line
+    const std::size_t bytes = row.size();
+    writer_.add(bytes, [this, row = std::move(row)] { file_.append(row); });
+}
+
+template <int Dim>
+void ProbeWriter<Dim>::sync() {
+    writer_.add(0, [this] { file_.sync(); });
+}
+
+template <int Dim>
+void ProbeWriter<Dim>::cut_back(std::uint64_t size) {
+    file_.cut_back(size);
+    size_ = file_.size();
 }
 
 template class Probes<2>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/background_writer.hpp"
 #include "engine/output/probe_sampler.hpp"
 
 namespace sluice {
@@ -26,31 +27,34 @@ class Probes {
     std::vector<ProbeSamplerPtr<Dim>> samplers_;
 };
 
-/// Writes DIRECTORY/probes.csv: a heading, then a row per output time; each row is on disk when `write` returns.
-/// Numbers are the shortest that read back as the same double.
+/// Writes DIRECTORY/probes.csv by way of a BackgroundWriter: a heading, then a row per output time. Numbers are the
+/// shortest that read back as the same double.
 template <int Dim>
 class ProbeWriter {
   public:
     /// Throws OutputError.
-    ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes);
+    ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, BackgroundWriter& writer);
     /// Goes on with the table after its first `size` bytes. Throws OutputError if it has fewer.
-    ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, std::uint64_t size);
+    ProbeWriter(const std::filesystem::path& directory, Probes<Dim> probes, std::uint64_t size,
+                BackgroundWriter& writer);
 
     std::vector<std::string> columns() const { return probes_.columns(); }
     std::vector<double> sample(const Simulation<Dim>& simulation) const { return probes_.sample(simulation); }
-    /// Throws OutputError.
+    /// Adds a row, to be written.
     void write(const Simulation<Dim>& simulation);
-    /// Makes the disk take what was written. Throws OutputError.
-    void sync() { file_.sync(); }
-    /// Takes back the rows beyond its first `size` bytes. Throws OutputError.
-    void cut_back(std::uint64_t size) { file_.cut_back(size); }
-    std::uint64_t size() const { return file_.size(); }  ///< of the table [bytes]
+    /// Makes the disk take what is to be written before.
+    void sync();
+    /// Takes back the rows beyond its first `size` bytes; all must be written. Throws OutputError.
+    void cut_back(std::uint64_t size);
+    std::uint64_t size() const { return size_; }  ///< of the table, with what is to be written [bytes]
 
   private:
     std::string heading() const;
 
     Probes<Dim> probes_;
     LineFile file_;
+    BackgroundWriter& writer_;
+    std::uint64_t size_ = 0;
 };
 
 extern template class Probes<2>;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/output/atomic_file.hpp"
 #include "engine/output/version.hpp"
 #include "neighbor/isa.hpp"
 
@@ -139,14 +138,7 @@ std::string summary_text(const Simulation<Dim>& simulation, const RunRecord& rec
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-template <int Dim>
-void write_summary(const std::filesystem::path& directory, const Simulation<Dim>& simulation, const RunRecord& record) {
-    write_atomically(directory / "summary.json", summary_text(simulation, record));
-}
-
 template std::string summary_text<2>(const Simulation<2>&, const RunRecord&);
 template std::string summary_text<3>(const Simulation<3>&, const RunRecord&);
-template void write_summary<2>(const std::filesystem::path&, const Simulation<2>&, const RunRecord&);
-template void write_summary<3>(const std::filesystem::path&, const Simulation<3>&, const RunRecord&);
 
 }  // namespace sluice

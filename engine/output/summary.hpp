@@ -1,7 +1,6 @@
 // summary.json: what was run, what it cost, and how it ended; for scripts.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -16,9 +15,5 @@ std::string text_hash(std::string_view text);
 /// The summary as JSON. Numbers that are not finite become null.
 template <int Dim>
 std::string summary_text(const Simulation<Dim>& simulation, const RunRecord& record);
-
-/// Writes DIRECTORY/summary.json, wholly or not at all. Throws OutputError.
-template <int Dim>
-void write_summary(const std::filesystem::path& directory, const Simulation<Dim>& simulation, const RunRecord& record);
 
 }  // namespace sluice
