@@ -287,10 +287,18 @@ const std::array<EffectRow, effect_count> table{{
                         : Decision{Verdict::impossible, "no fluid body"};
      }},
     {{Effect::clamp, "clamp", "solid: clamp", "Antoci2007 sect. 4", "",
-      "on if a body has a clamp; cannot be left out then",
-      "v = 0; total Lagrangian: u(X_s − x) = −u(X_s + x) for points X_s of its surface, as its neighbours see it"},
+      "on if a body has a clamp; cannot be left out then", "v = 0"},
      [](const Scene&, const SceneContent& c) {
          return c.clamp ? Decision{Verdict::required, "bodies: " + c.clamps}
+                        : Decision{Verdict::impossible, "no clamped body"};
+     }},
+    {{Effect::clamp_extension, "clamp_extension", "solid: displacement goes on behind a clamp's surface",
+      "engine/step/clamp_extension.hpp", "solid.elastic_share", "on if a total-Lagrangian body has a clamp",
+      "u(X_b) = −r u(X_j),  r = |X_b − X_s|/|X_j − X_s|;  V ψ and k times the cell's share outside the clamp"},
+     [](const Scene&, const SceneContent& c) {
+         const Decision d = needs_total_lagrangian(c);
+         if (d.verdict == Verdict::impossible) return d;
+         return c.clamp ? Decision{Verdict::used, "bodies: " + c.clamps}
                         : Decision{Verdict::impossible, "no clamped body"};
      }},
     {{Effect::gravity, "gravity", "gravity", "Antoci2007 eq. 2", "", "on if gravity is not 0", "a += g"},

@@ -37,13 +37,14 @@ enum class Effect {
     moving_wall,
     periodic_box,
     clamp,
+    clamp_extension,
     gravity,
     driven_acceleration,
     variable_resolution,
     adaptive_step,
     solid_substeps,
 };
-inline constexpr std::size_t effect_count = 30;
+inline constexpr std::size_t effect_count = 31;
 
 /// One row of the table.
 struct EffectInfo {

@@ -34,6 +34,7 @@ struct ParticleView {
     Columns<Dim * Dim> deformation{};                    ///< F, row by row
     Columns<Dim * Dim> corrected_stress{};               ///< P L − k F, row by row [Pa]
     const double* hourglass_stiffness = nullptr;         ///< k [Pa]
+    const double* elastic_share = nullptr;               ///< of each particle's ψ; null = 1 for all
     Columns<sym_components<Dim>> gradient_correction{};  ///< L; read particle by particle, not by pairs
 };
 

@@ -28,7 +28,8 @@ std::uint64_t elastic_deformation(const ParticleView<Dim>& solid, const Neighbor
     return sum_pairs(DeformationSums<Dim>{}, method, solid, solid, list, [&](Index a, const Vec<Dim * Dim>& sum) {
         const Tensor<Dim> l = sym_to_tensor<Dim>(at(solid.gradient_correction, a));
         const Tensor<Dim> f = l(0, 0) > 0 ? Tensor<Dim>(tensor_of<Dim>(sum) * l) : Tensor<Dim>(Tensor<Dim>::Identity());
-        const Tensor<Dim> t = law.first_piola_stress<Dim>(f) * l - solid.hourglass_stiffness[a] * f;
+        const double share = solid.elastic_share ? solid.elastic_share[a] : 1.0;
+        const Tensor<Dim> t = share * law.first_piola_stress<Dim>(f) * l - solid.hourglass_stiffness[a] * f;
         deformation.set(a, rows_of<Dim>(f));
         corrected_stress.set(a, rows_of<Dim>(t));
     });

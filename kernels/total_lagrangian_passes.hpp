@@ -57,8 +57,8 @@ std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborL
                                  const PairMethod<Dim>& method, SymTensorField<Dim>& gradient_correction,
                                  ScalarField& hourglass_stiffness);
 
-/// deformation = F (a) and corrected_stress = T (c) for listed particles. Reads current_position, gradient_correction
-/// and hourglass_stiffness.
+/// deformation = F (a) and corrected_stress = T (c) for listed particles. Reads current_position, gradient_correction,
+/// hourglass_stiffness and, if there is one, elastic_share, by which ψ and so P are multiplied.
 template <int Dim>
 std::uint64_t elastic_deformation(const ParticleView<Dim>& solid, const NeighborList& list, const Hyperelastic& law,
                                   const PairMethod<Dim>& method, TupleField<Dim * Dim>& deformation,

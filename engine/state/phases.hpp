@@ -54,6 +54,7 @@ struct SolidPhase : PhaseBase<Dim> {
     TupleField<Dim * Dim> corrected_stress;   ///< T = P L − k F, row by row [Pa]
     SymTensorField<Dim> gradient_correction;  ///< L
     ScalarField hourglass_stiffness;          ///< k [Pa]
+    ScalarField elastic_share;                ///< of a particle's energy, below 1 where a clamp cuts its cell
 
     // Only if it meets a fluid: the fluid's force, constant over a step, and the motion over the step that it goes
     // with.

@@ -57,6 +57,7 @@ void visit_columns(SolidPhase<Dim>& p, F&& f) {
     detail::visit_tuple("corrected_stress", p.corrected_stress, f);
     detail::visit_tuple("gradient_correction", p.gradient_correction, f);
     f("clamped", p.clamped), f("volume", p.volume), f("hourglass_stiffness", p.hourglass_stiffness);
+    f("elastic_share", p.elastic_share);
 }
 
 template <int Dim, class F>

@@ -36,7 +36,8 @@ EnergyBalance energy_of(const State<Dim>& state) {
     if (solid.deformation.size() > 0) {
         add_motion<Dim>(solid, state.gravity, e);
         e.elastic = ordered_sum<double>(solid.owned, [&](std::size_t i) {
-            return solid.volume[i] *
+            const double share = solid.elastic_share.size() > 0 ? solid.elastic_share[i] : 1.0;
+            return share * solid.volume[i] *
                    state.rubber->law.template energy_density<Dim>(tensor_of<Dim>(solid.deformation[i]));
         });
         return e;

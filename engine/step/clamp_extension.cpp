@@ -1,5 +1,6 @@
 #include "engine/step/clamp_extension.hpp"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -15,17 +16,42 @@ Point point_of(const Vec<Dim>& x) {
     return p;
 }
 
-/// Where the clamp's surface cuts the way from a held particle to a free one. If the clamp holds the place of the free
-/// one too, which belongs to another body then, half-way.
+/// How far in front of x, in the direction `ahead`, a clamp's surface is; negative if x lies outside and the surface is
+/// behind it. Looked for over `reach` on either side; if a clamp holds all of that, which belongs to another body then,
+/// half-way to what is ahead.
 template <int Dim>
-Vec<Dim> surface_point(const Shape& clamp, const Vec<Dim>& held, const Vec<Dim>& free) {
-    if (clamp.contains(point_of(free))) return 0.5 * (held + free);
-    double inside = 0, outside = 1;
+std::optional<double> depth_below_surface(const Shape& clamp, const Vec<Dim>& x, const Vec<Dim>& ahead, double reach) {
+    const auto holds = [&](double t) { return clamp.contains(point_of(x + t * ahead)); };
+    const bool held = holds(0);
+    double inside = held ? 0 : -reach, outside = held ? reach : 0;
+    if (holds(outside)) return reach / 2;
+    if (!holds(inside)) return {};
     for (int n = 0; n < std::numeric_limits<double>::digits; ++n) {
         const double middle = 0.5 * (inside + outside);
-        (clamp.contains(point_of(held + middle * (free - held))) ? inside : outside) = middle;
+        (holds(middle) ? inside : outside) = middle;
     }
-    return held + 0.5 * (inside + outside) * (free - held);
+    return 0.5 * (inside + outside);
+}
+
+/// How much of a particle's cell, a cube of this side around x, lies outside a clamp.
+template <int Dim>
+double share_outside(const Shape& clamp, const Vec<Dim>& x, double side) {
+    const auto share = [&](int per_side, double reach) {  // of points spread evenly over a cube of side 2 reach
+        int all = 1, outside = 0;
+        for (int k = 0; k < Dim; ++k) all *= per_side;
+        for (int n = 0; n < all; ++n) {
+            Vec<Dim> p = x;
+            for (int k = 0, rest = n; k < Dim; ++k, rest /= per_side)
+                p[k] += reach * ((2 * (rest % per_side) + 1.0) / per_side - 1);
+            outside += !clamp.contains(point_of(p));
+        }
+        return static_cast<double>(outside) / all;
+    };
+    // Corners, their middles and the centre: one surface that leaves all of them on one side leaves the cell whole.
+    const double coarse = share(3, 0.75 * side);
+    if (coarse == 0 || coarse == 1) return coarse;
+    constexpr int fine = Dim == 2 ? 64 : 24;
+    return share(fine, 0.5 * side);
 }
 
 /// The place in `among` of the particle nearest to x of those at least `least` away from `from`.
@@ -61,50 +87,68 @@ bool free_behind(const VectorField<Dim>& position, const Array<Index>& among, co
 }  // namespace
 
 template <int Dim>
-ClampExtension<Dim>::ClampExtension(const Scene& scene, const SolidPhase<Dim>& solid, const NeighborList& list,
+ClampExtension<Dim>::ClampExtension(const Scene& scene, SolidPhase<Dim>& solid, const NeighborList& list,
                                     double support) {
     const std::size_t n = solid.owned;
     extended_.assign(n, 0);
     rigid_.resize(n);
-    Array<std::uint8_t> free(n), held(n), near_free(n), near_held(n);
-    for (std::size_t i = 0; i < n; ++i) held[i] = solid.clamped[i], free[i] = !solid.clamped[i];
-    list.mark_candidates(free, near_free);
-    list.mark_candidates(held, near_held);
-    Array<Index> behind, ahead;
+    share_.resize(n);
+    const auto clamp_of = [&](std::size_t i) -> const auto& { return scene.bodies[solid.body[i]].clamp; };
+    parallel_for(n, [&](std::size_t i) {
+        const double side = std::pow(solid.volume[i], 1.0 / Dim);
+        share_[i] = clamp_of(i) ? share_outside<Dim>(*clamp_of(i), solid.position[i], side) : 1;
+    });
+    Array<std::uint8_t> elastic(n), followers(n), reached(n), near(n), twice_as_near(n);
+    for (std::size_t i = 0; i < n; ++i) followers[i] = solid.clamped[i] || share_[i]<1, elastic[i] = share_[i]> 0;
+    list.mark_candidates(elastic, reached);
+    list.mark_candidates(followers, near);
+    list.mark_candidates(near, twice_as_near);  // what lies a support deep has its image as far out
+    Array<Index> behind, ahead, sources;
     for (std::size_t i = 0; i < n; ++i) {
-        rigid_[i] = held[i] && !near_free[i];
-        if (held[i] && near_free[i]) behind.push_back(static_cast<Index>(i));
-        if (free[i] && near_held[i]) ahead.push_back(static_cast<Index>(i));
+        rigid_[i] = followers[i] && !reached[i];
+        if (followers[i] && reached[i]) behind.push_back(static_cast<Index>(i));
+        if (!followers[i] && twice_as_near[i]) ahead.push_back(static_cast<Index>(i));
+        if (elastic[i] && near[i]) sources.push_back(static_cast<Index>(i));
     }
     // In the reference configuration, where bodies that are not joined are out of each other's reach.
     const auto& place = solid.reference_position;
     Array<Pair> pairs(behind.size());
     parallel_for(behind.size(), [&](std::size_t k) {
         const Index b = behind[k];
-        const Vec<Dim> x = place[b], to_scene = solid.position[b] - x;
+        const Vec<Dim> x = place[b];
+        const auto source = nearest<Dim>(place, sources, x, x, 0);
         const auto next = nearest<Dim>(place, ahead, x, x, 0);
-        rigid_[b] = !next || norm(place[*next] - x) > support;  // marked by its cluster only
-        if (rigid_[b]) return;
-        if (free_behind<Dim>(place, ahead, x, place[*next], support)) return;
-        const Shape& clamp = *scene.bodies[solid.body[b]].clamp;
-        const Vec<Dim> at = surface_point<Dim>(clamp, x + to_scene, place[*next] + to_scene) - to_scene;
-        const double depth = norm(x - at);
-        constexpr double rounding = 1e-6;  // above the slack that closes shapes, which is relative to their size
-        const auto image = nearest<Dim>(place, ahead, 2.0 * at - x, at, depth * (1 - rounding));
+        rigid_[b] =
+            solid.clamped[b] && (!next || !source || norm(place[*source] - x) > support);  // only its cluster is
+        if (rigid_[b] || !next || free_behind<Dim>(place, ahead, x, place[*next], support)) return;
+        const double reach = norm(place[*next] - x);
+        const Vec<Dim> forward = (1 / reach) * (place[*next] - x);
+        const auto depth = depth_below_surface<Dim>(*clamp_of(b), solid.position[b], forward, reach);
+        if (!depth) return;
+        const Vec<Dim> at = x + *depth * forward;
+        // An image nearer than that would move what follows it by much more than itself.
+        constexpr double least = 0.61;
+        const auto image = nearest<Dim>(place, ahead, at + std::abs(*depth) * forward, at, least * std::abs(*depth));
         if (!image) return;
-        extended_[b] = rigid_[b] = 1;
-        pairs[k] = {b, *image, depth / norm(place[*image] - at), solid.position[b], solid.position[*image]};
+        extended_[b] = 1;
+        rigid_[b] = share_[b] == 0;
+        pairs[k] = {b, *image, *depth / norm(place[*image] - at), solid.position[b], solid.position[*image]};
     });
     for (std::size_t k = 0; k < behind.size(); ++k)
         if (extended_[behind[k]]) pair_.push_back(pairs[k]);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (rigid_[i]) share_[i] = 0;
+        if (extended_[i]) solid.clamped[i] = 1;
+        if (solid.clamped[i] && !rigid_[i] && !extended_[i]) share_[i] = 1;
+    }
 }
 
 template <int Dim>
-void ClampExtension<Dim>::take_energy(SolidPhase<Dim>& solid) const {
-    for (std::size_t i = 0; i < rigid_.size(); ++i) {
-        if (!rigid_[i]) continue;
-        solid.gradient_correction.set(i, {});
-        solid.hourglass_stiffness[i] = 0;
+void ClampExtension<Dim>::share_energy(SolidPhase<Dim>& solid) const {
+    for (std::size_t i = 0; i < share_.size(); ++i) {
+        solid.elastic_share[i] = share_[i];
+        solid.hourglass_stiffness[i] *= share_[i];
+        if (share_[i] == 0) solid.gradient_correction.set(i, {});
     }
 }
 

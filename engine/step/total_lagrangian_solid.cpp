@@ -22,11 +22,11 @@ TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, Solid
     const double stiffness = c_.has(Effect::hourglass_control) ? m.hourglass_control * 2 * law_.mu : 0.0;
     elastic_correction<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, stiffness, c_.method,
                             solid.gradient_correction, solid.hourglass_stiffness);
-    if (c_.has(Effect::clamp)) {
+    if (c_.has(Effect::clamp_extension)) {
         const double h = *std::max_element(solid.smoothing_length.begin(), solid.smoothing_length.end());
         behind_clamp_ = {c_.scene, solid, c_.neighbors.solid_solid,
                          Smoothing<Dim>(c_.scene.method.smoothing_function).support * h};
-        behind_clamp_.take_energy(solid);
+        behind_clamp_.share_energy(solid);
     }
     elastic_forces({});
     c_.neighbors.leave_out_clamped(behind_clamp_.rigid(), behind_clamp_.extended());

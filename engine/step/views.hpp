@@ -45,6 +45,7 @@ ParticleView<Dim> reference_view_of(const SolidPhase<Dim>& p) {
     v.corrected_stress = columns_of(p.corrected_stress);
     v.gradient_correction = columns_of(p.gradient_correction);
     v.hourglass_stiffness = p.hourglass_stiffness.data();
+    v.elastic_share = p.elastic_share.size() > 0 ? p.elastic_share.data() : nullptr;
     return v;
 }
 

@@ -82,6 +82,7 @@ inline std::vector<Case> cases() {
         by_content(Effect::moving_wall, water + moving, water + fixed),
         by_content(Effect::periodic_box, periodic + water, water),
         by_content(Effect::clamp, clamped_block, block),
+        {Effect::clamp_extension, {clamped_block, {total_lagrangian}}, {clamped_block, {}}},
         by_key(Effect::gravity, water, "gravity", "[0.0, -9.81]", "[0.0, 0.0]"),
         {Effect::driven_acceleration, {water, {"acceleration=['sin(t)', 0.0]"}}, {water, {}}},
         by_content(Effect::variable_resolution, water + second_water, water),

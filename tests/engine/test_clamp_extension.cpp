@@ -59,7 +59,7 @@ struct ClampedSolid {
           behind(scene, solid(), neighbors.solid_solid, smoothing.support * state.max_h) {
         elastic_correction<Dim>(reference_view_of(solid()), neighbors.solid_solid, 2e5, method,
                                 solid().gradient_correction, solid().hourglass_stiffness);
-        behind.take_energy(solid());
+        behind.share_energy(solid());
     }
 
     SolidPhase<Dim>& solid() { return state.solid; }
@@ -84,7 +84,8 @@ struct ClampedSolid {
         hourglass_energy<Dim>(reference_view_of(s), neighbors.solid_solid, method, hourglass);
         double sum = 0;
         for (std::size_t i = 0; i < s.owned; ++i)
-            sum += s.volume[i] * state.rubber->law.template energy_density<Dim>(tensor_of<Dim>(s.deformation[i])) +
+            sum += s.elastic_share[i] * s.volume[i] *
+                       state.rubber->law.template energy_density<Dim>(tensor_of<Dim>(s.deformation[i])) +
                    hourglass[i];
         return sum;
     }
@@ -102,8 +103,10 @@ struct ClampedSolid {
 /// over √(E/ρ): finite elements with 120 x 16 biquadratic elements (validation/oscillating_plate/plane_elasticity.py).
 constexpr double plate_period = 569.943;
 
-/// The same from a run: twice the time between the first two zeros of the deflection.
-double period_of_plate(int across) {
+/// The same from a run: twice the time between the first two zeros of the deflection. The clamp's surface is `longer`
+/// spacings behind a face of the lattice, which makes the plate as much longer; its period, as the square of its
+/// length, is taken back to the length of before.
+double period_of_plate(int across, double longer = 0) {
     const double thickness = 0.01, d = thickness / across, youngs = 1.2e6, density = 1100;
     // The first mode of a thin beam, k L = 1.8751, slow: 1e-4 of its length.
     const std::string shape = "(cosh(18.751*x) - cos(18.751*x) - 0.73410*(sinh(18.751*x) - sin(18.751*x)))";
@@ -120,12 +123,12 @@ poisson_ratio = 0.4
 [bodies.plate]
 material = "rubber"
 shape = {{ box = {{ min = [{}, 0.0], max = [0.1, 0.01] }} }}
-clamp = {{ box = {{ min = [-1.0, 0.0], max = [0.0, 0.01] }} }}
+clamp = {{ box = {{ min = [-1.0, 0.0], max = [{}, 0.01] }} }}
 velocity = ["0", "1e-3*{}"]
 [output]
 end = 1.0
 )toml",
-                                                 d, density, youngs, -4 * d, shape)));
+                                                 d, density, youngs, -4 * d, -longer * d, shape)));
     const double scale = thickness / std::sqrt(youngs / density);
     // Projected on the mode, so that others do not show.
     std::vector<double> mode;
@@ -143,7 +146,8 @@ end = 1.0
         if (before * now < 0) zeros[found++] = s.time() - s.time_step() * now / (now - before);
         before = now;
     }
-    return 2 * (zeros[1] - zeros[0]) / scale;
+    const double length = 0.1 + longer * d;
+    return 2 * (zeros[1] - zeros[0]) / scale * std::pow(0.1 / length, 2);
 }
 
 }  // namespace
@@ -216,6 +220,16 @@ TEST_CASE("A clamped plate swings at the period of plane elasticity, with an err
     CAPTURE(coarse, fine);
     CHECK(std::abs(coarse) < 0.02);
     CHECK(std::abs(fine) < 0.01);
+}
+
+TEST_CASE("A clamped plate swings as long as it should wherever the clamp cuts its lattice") {
+    const double whole = period_of_plate(6);
+    for (const double longer : {-0.4, -0.2, 0.2, 0.4}) {
+        CAPTURE(longer);
+        // 0.5 to 0.6 % at six across, a quarter of that at twelve. Cells that count whole or not at all make it 2 %, as
+        // do cut ones that do not follow.
+        CHECK(period_of_plate(6, longer) / whole == Approx(1).margin(0.008));
+    }
 }
 
 TEST_CASE("A clamped beam keeps its energy, what hourglass control holds behind the clamp included") {

@@ -56,7 +56,7 @@ NeighborList whole_list(const Scene& scene, const VectorField<Dim>& position, co
 TEMPLATE_TEST_CASE_SIG("Stress and force are, to the bit, those of passes over all particles", "", ((int Dim), Dim), 2,
                        3) {
     Simulation<Dim> s(scene_text::load(swinging_beam<Dim>(), elastic));
-    const SolidPhase<Dim> start = s.solid();
+    SolidPhase<Dim> start = s.solid();
     const std::uint64_t before = s.work().pairs;
     advance(s, 1);
     const std::uint64_t in_a_step = s.work().pairs - before;
