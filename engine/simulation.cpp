@@ -54,10 +54,11 @@ struct Simulation<Dim>::Impl {
     ///   kick-drift-kick: they are brought on to n, where the output sees them
     /// Viscous forces are those of the velocities at n − 1/2 in either, of first order in Δt.
     ///
-    /// With more than one sub-step the solid goes through the step at its own rate under the fluid's force of
-    /// time n; the fluid's continuity then sees the solid's mean velocity over the step, at its place half-way. So both
-    /// sides exchange the same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs to
-    /// the motion that the fluid sees. With one sub-step and staggered Euler this is the paper's scheme.
+    /// With more than one sub-step the solid goes through the step at its own rate: a hypoelastic one under the fluid's
+    /// force of time n, a total-Lagrangian one under half of that step's impulse before it and half of the next one's
+    /// after it; the fluid's continuity then sees the solid's mean velocity over the step, at its place half-way. So
+    /// both sides exchange the same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs
+    /// to the motion that the fluid sees. With one sub-step and staggered Euler this is the paper's scheme.
     void step() {
         const double before = context.plan.dt;
         if (steps > 0) context.plan = planner.next(fluid.speed(), fluid.acceleration());

@@ -20,7 +20,7 @@ using Deed = std::function<ExitCode()>;
 void add_run_command(CLI::App& program, Deed& chosen);
 /// `sluice check`: says what a run would do, without one.
 void add_check_command(CLI::App& program, Deed& chosen);
-/// `sluice help`: what the effects are.
+/// `sluice help`: what the effects are, and short texts on other topics.
 void add_help_command(CLI::App& program, Deed& chosen);
 
 /// `sluice study`: runs a scene over a matrix of settings.

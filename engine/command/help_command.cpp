@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/command/commands.hpp"
+#include "engine/command/topics.hpp"
 #include "engine/effect_help.hpp"
 #include "engine/effect_table.hpp"
 #include "engine/scene/suggestion.hpp"
@@ -31,10 +32,22 @@ ExitCode print_page(const std::string& key) {
     return ExitCode::done;
 }
 
+void add_topics(CLI::App& command, Deed& chosen) {
+    for (const Topic& topic : topics()) {
+        CLI::App& help = *command.add_subcommand(std::string(topic.name), std::string(topic.title()));
+        help.callback([topic, &chosen] {
+            chosen = [topic] {
+                print(topic.text);
+                return ExitCode::done;
+            };
+        });
+    }
+}
+
 }  // namespace
 
 void add_help_command(CLI::App& program, Deed& chosen) {
-    CLI::App& command = *program.add_subcommand("help", "Explain what a scene can ask for");
+    CLI::App& command = *program.add_subcommand("help", "Explain what a scene can ask for, and what a run gives");
     command.require_subcommand(1);
     CLI::App& effects = *command.add_subcommand("effects", "What the effects are, and when they are on");
     const auto arguments = std::make_shared<HelpArguments>();
@@ -47,6 +60,7 @@ void add_help_command(CLI::App& program, Deed& chosen) {
             return ExitCode::done;
         };
     });
+    add_topics(command, chosen);
 }
 
 }  // namespace sluice

@@ -15,7 +15,7 @@ template <int Dim>
 struct PhaseBase {
     std::size_t owned = 0;
     VectorField<Dim> position;      ///< x^n [m]
-    VectorField<Dim> velocity;      ///< v^(n-1/2) at rest between steps [m/s]
+    VectorField<Dim> velocity;      ///< between steps v^(n-1/2) by staggered Euler, v^n by kick-drift-kick [m/s]
     VectorField<Dim> acceleration;  ///< [m/s²]
     ScalarField density;            ///< [kg/m³]
     ScalarField density_rate;       ///< [kg/m³/s]

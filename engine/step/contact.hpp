@@ -8,7 +8,7 @@
 namespace sluice {
 
 /// k over the modulus λ + 2μ of the fastest waves. Bodies that meet at a relative speed v press with ½ ρ c v, c their
-/// fastest waves', so that at 1 they come closer than touching by about v/c · d/(4 σ_0'²), 2.3 v/c spacings at h/d =
+/// fastest waves', so that at 1 they come closer than touching by about v/c · d/(4 σ_0'²), 1.4 v/c spacings at h/d =
 /// 1.5, and contact is no faster than the lattice itself: two pressed blocks' fastest mode is 1 to 4 % faster than
 /// theirs alone (eigenvalues in 2D, h/d from 1.2 to 2, cubic spline and Wendland C2, a tenth and half of a spacing
 /// closer than touching), so steps are stable up to 0.92 h/c instead of 0.94 at the worst. At 2 it would be 6 to 15 %.

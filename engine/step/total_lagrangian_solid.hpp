@@ -13,8 +13,9 @@ class TotalLagrangianSolid {
   public:
     TotalLagrangianSolid(StepContext<Dim>& context, SolidContact<Dim>& contact);
 
-    /// Goes through a step by kick, drift and kick, under the fluid's force of its beginning: symplectic, so that the
-    /// energy neither grows nor fades. Returns a bound of how far particles have moved. [m]
+    /// Goes through a step by kick, drift and kick under stress, contact and gravity: symplectic, so that the energy
+    /// neither grows nor fades. The fluid's force is not in it, but comes before and after as an impulse (push).
+    /// Returns a bound of how far particles have moved. [m]
     double advance();
 
     /// v += the fluid's force · interval [s]
@@ -37,7 +38,7 @@ class TotalLagrangianSolid {
     std::uint64_t elastic_forces(const ElasticViscosity& viscosity);
     /// By some dozens of force evaluations.
     double find_fastest_mode();
-    /// ρ = ρ0/det F, which the fluid sees.
+    /// ρ = ρ0/det F, which the fluid sees; at the most that of Hyperelastic::expansion_volume.
     void update_density();
 
     StepContext<Dim>& c_;

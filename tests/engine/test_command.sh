@@ -2,6 +2,7 @@
 # What the command `sluice` prints and returns. Usage: test_command.sh PROGRAM SCENES
 program=$1
 scenes=$2
+topics=$(CDPATH='' cd -- "$(dirname -- "$0")/../../engine/command/topics" && pwd)
 work=$(mktemp -d) || exit 1
 trap 'umount "$work/disk" 2>/dev/null; rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -53,6 +54,11 @@ expect 0 'on if method.fluid.velocity_filter is not 1' "$program" help effects
 expect 0 "Antoci2007 eq. 16" "$program" help effects velocity_filter
 expect 2 'did you mean "velocity_filter"?' "$program" help effects velocity_fliter
 expect 2 "KEY excludes --markdown" "$program" help effects velocity_filter --markdown
+for topic in units probes output exit-codes environment; do
+    expect 0 "$topic" "$program" help --help
+    expect 0 "$(head -n 1 "$topics/$topic.txt")" "$program" help $topic
+    [ "$(wc -L <out)" -le 100 ] || fail "help $topic is wider than a terminal"
+done
 expect 2 "sluice: error: " "$program" help
 expect 2 "sluice: error: " "$program" help scenes
 
