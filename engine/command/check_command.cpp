@@ -15,6 +15,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/output/report.hpp"
 #include "engine/output/summary.hpp"
+#include "engine/scene/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
 #include "neighbor/isa.hpp"
 
@@ -163,6 +164,7 @@ void add_check_command(CLI::App& program, Deed& chosen) {
             if (arguments->cost) use_thread_settings(arguments->threads);
             if (arguments->threads > 0) omp_set_num_threads(arguments->threads);
             const Scene scene = load_scene(arguments->scene.file, arguments->scene.overrides);
+            for (const std::string& doubt : suspicious_values(scene)) print_warning(doubt);
             if (!arguments->target_error.empty()) return tell_target(scene, *arguments);
             return scene.dimension == 2 ? check_scene<2>(scene, *arguments) : check_scene<3>(scene, *arguments);
         };
