@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "engine/command/commands.hpp"
+#include "engine/command/manual.hpp"
 #include "engine/effect_help.hpp"
 #include "engine/effect_table.hpp"
+#include "engine/output/version.hpp"
 #include "engine/scene/suggestion.hpp"
 #include "engine/scene_help.hpp"
 #include "engine/scene_schema.hpp"
@@ -80,6 +82,13 @@ void add_help_command(CLI::App& program, Deed& chosen) {
               {"effects", "What the effects are, and when they are on", "engine/EFFECTS.md", effect_list,
                effects_document, print_effect},
               chosen);
+    CLI::App& manual = *command.add_subcommand("manual", "The manual page, as `man -l` reads it");
+    manual.callback([&program, &chosen] {
+        chosen = [&program] {
+            print(manual_page(command_tree(program), program_version()));
+            return ExitCode::done;
+        };
+    });
     CLI::App& schema = *command.add_subcommand("schema", "A JSON schema, with which editors complete and check scenes");
     schema.callback([&chosen] {
         chosen = [] {

@@ -9,9 +9,12 @@
 namespace {
 
 constexpr const char* examples = R"(Examples:
+  sluice new dam-break
+  sluice check dam-break.toml --draw
   sluice check validation/elastic_gate/scene.toml
   sluice run validation/elastic_gate/scene.toml
   sluice run dam.toml -o results/fine --set method.spacing=0.001 --threads 2
+  sluice help scene method.spacing
   sluice help effects particle_shifting
   sluice run dam.toml --until 0.1
   sluice run --resume results/dam
@@ -38,12 +41,14 @@ int main(int argc, char** argv) {
     program.require_subcommand(1);
     program.footer(examples);
     sluice::Deed chosen;
+    sluice::add_new_command(program, chosen);
     sluice::add_run_command(program, chosen);
     sluice::add_check_command(program, chosen);
     sluice::add_study_command(program, chosen);
     sluice::add_view_command(program, chosen);
     sluice::add_render_command(program, chosen);
     sluice::add_help_command(program, chosen);
+    sluice::add_completion_command(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -2,7 +2,7 @@
 # engine/EFFECTS.md and engine/SCENE.md are what the program prints. Usage: test_document.sh PROGRAM REPOSITORY TOPIC
 program=$1
 topic=$3
-document=$2/engine/$(echo "$topic" | tr a-z A-Z).md
+document=$2/engine/$(echo "$topic" | tr '[:lower:]' '[:upper:]').md
 printed=$(mktemp) || exit 1
 trap 'rm -f "$printed"' EXIT
 "$program" help "$topic" --markdown >"$printed" || exit 1
