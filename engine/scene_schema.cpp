@@ -81,24 +81,30 @@ Json schema_of(const SceneKey& key) {
     return made;
 }
 
-/// What each `kind` of a table requires, and what belongs to other kinds.
-Json rules_of_kinds(std::string_view pattern) {
-    const SceneKey* kind = find_scene_key(pattern, "kind");
-    Json rules = Json::array();
-    if (!kind) return rules;
-    for (const std::string& word : words_in(kind->value.words)) {
-        Json required = Json::array(), properties = Json::object();
-        for (const SceneKey& key : scene_keys()) {
-            if (table_of(key) != pattern || key.only.empty()) continue;
-            const std::vector<std::string> kinds = words_in(key.only);
-            const auto has = [&](const std::string& name) { return std::count(kinds.begin(), kinds.end(), name) > 0; };
-            if (has(word) && key.otherwise.kind == Otherwise::Kind::required) required.push_back(name_of(key));
-            if (!has(word) && !has(word + "?")) properties[std::string(name_of(key))] = false;
-        }
-        rules.push_back({{"if", {{"properties", {{"kind", {{"const", word}}}}}, {"required", {"kind"}}}},
-                         {"then", {{"properties", properties}, {"required", required}}}});
+/// What a kind of a table's entries requires, and what belongs to other kinds.
+Json rule_of_kind(std::string_view pattern, const std::string& kind) {
+    Json required = Json::array(), properties = Json::object();
+    for (const SceneKey& key : scene_keys()) {
+        if (table_of(key) != pattern || key.only.empty()) continue;
+        const std::vector<std::string> kinds = words_in(key.only);
+        const auto has = [&](const std::string& name) { return std::count(kinds.begin(), kinds.end(), name) > 0; };
+        if (has(kind) && key.otherwise.kind == Otherwise::Kind::required) required.push_back(name_of(key));
+        if (!has(kind) && !has(kind + "?")) properties[std::string(name_of(key))] = false;
     }
-    return rules;
+    return {{"properties", properties}, {"required", required}};
+}
+
+/// Adds the rules of a table that has a `kind`, each in the `else` of the one before: with `allOf`, taplo would no
+/// longer complete the table's keys.
+void add_rules_of_kinds(std::string_view pattern, Json& table) {
+    const SceneKey* kind = find_scene_key(pattern, "kind");
+    if (!kind) return;
+    Json* place = &table;
+    for (const std::string& word : words_in(kind->value.words)) {
+        if (place != &table || table.contains("if")) place = &(*place)["else"];
+        (*place)["if"] = {{"properties", {{"kind", {{"const", word}}}}}, {"required", {"kind"}}};
+        (*place)["then"] = rule_of_kind(pattern, word);
+    }
 }
 
 Json object_of(std::string_view pattern) {
@@ -115,7 +121,7 @@ Json object_of(std::string_view pattern) {
     }
     if (!properties.empty()) made["properties"] = std::move(properties);
     if (!required.empty()) made["required"] = std::move(required);
-    if (Json rules = rules_of_kinds(pattern); !rules.empty()) made["allOf"] = std::move(rules);
+    add_rules_of_kinds(pattern, made);
     return made;
 }
 
