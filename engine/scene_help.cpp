@@ -9,7 +9,7 @@
 namespace sluice {
 namespace {
 
-constexpr std::string_view shape_heading = "SHAPE";
+constexpr std::string_view shape_heading = "SHAPE", effects_table = "effects";
 
 std::string with_unit(const std::string& text, const SceneKey& key) {
     return key.value.unit.empty() ? text : fmt::format("{} [{}]", text, key.value.unit);
@@ -86,8 +86,18 @@ void for_each_table(Visit visit) {
 
 std::string heading(std::string_view pattern) {
     if (pattern.empty()) return "top of the file";
-    if (pattern == shape_heading) return "SHAPE = {...}, a shape";
+    if (pattern == shape_heading) return "SHAPE = {...}, one of";
+    if (pattern.starts_with(shape_heading))
+        return fmt::format("{} = {{...}}", pattern.substr(shape_heading.size() + 1));
     return fmt::format("[{}]", shown_pattern(pattern));
+}
+
+std::string document_heading(std::string_view pattern) {
+    if (pattern.empty()) return "Top of the file";
+    if (pattern == shape_heading) return "Shapes";
+    if (pattern.starts_with(shape_heading))
+        return fmt::format("`{} = {{...}}`", pattern.substr(shape_heading.size() + 1));
+    return fmt::format("`[{}]`", shown_pattern(pattern));
 }
 
 std::string key_name(const SceneKey& key) {
@@ -163,10 +173,13 @@ std::string scene_document() {
         "start from;\n"
         "`sluice help schema` prints a JSON schema, with which editors complete and check scenes.\n";
     for_each_table([&](std::string_view pattern, const std::vector<const SceneKey*>& rows) {
-        const std::string title = pattern.empty()            ? "Top of the file"
-                                  : pattern == shape_heading ? "Shapes"
-                                                             : fmt::format("`[{}]`", shown_pattern(pattern));
+        const std::string title = document_heading(pattern);
         text += fmt::format("\n## {}\n\n", title);
+        if (pattern == effects_table) {
+            text +=
+                "Each effect is \"auto\" unless a scene says \"on\" or \"off\": [EFFECTS.md](EFFECTS.md) lists them.\n";
+            return;
+        }
         if (pattern == shape_heading)
             text += "`{box = {min = [0, 0], max = [1, 1]}}`: one of these keys, with what is in it.\n\n";
         text += "| key | value | without it | meaning |\n| --- | --- | --- | --- |\n";

@@ -185,7 +185,8 @@ constexpr SceneKey rows[]{
     {"probes", names, none, "columns of probes.csv"},
     {"probes.*", table, said("none"), "a probe"},
     {"probes.*.kind", word("displacement pressure water_level energy momentum force velocity_error"), required,
-     "what it measures"},
+     "what it measures: how far a place of a solid has moved; pressure; height of the water; energies or momentum of "
+     "all; the fluid's force on a solid; how far the fluid's velocity is from a field"},
     {"probes.*.body", text, required, "a name from [bodies]; a pressure without it is measured in the fluid",
      "displacement force velocity_error pressure?"},
     {"probes.*.at",
