@@ -23,7 +23,7 @@ std::string_view inner_pattern(const SceneKey& key);
 /// The row that a path in a scene leads to: "bodies.gate.shape.union[0].box.min" to "SHAPE.box.min"; null if none.
 const SceneKey* resolve_scene_key(std::string_view path);
 
-/// Rows of this table that belong to the key's last name anywhere: where a misplaced key could have been meant.
+/// All rows whose last name this is: where a misplaced key may belong.
 std::vector<const SceneKey*> keys_named(std::string_view name);
 
 }  // namespace sluice
