@@ -5,17 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "engine/command/commands.hpp"
 #include "engine/command/cost_table.hpp"
 #include "engine/command/scene_options.hpp"
 #include "engine/command/study_text.hpp"
 #include "engine/command/thread_settings.hpp"
+#include "engine/output/atomic_file.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/output/report.hpp"
 #include "engine/output/summary.hpp"
+#include "engine/scene/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
+#include "engine/view/scene_picture.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {
@@ -89,6 +94,7 @@ struct CheckArguments {
     SceneOptions scene;
     bool cost = false;
     int threads = 0;
+    std::optional<std::string> draw;  ///< file of a picture; empty = named after the scene
     std::string target_error;
     std::string study;
 };
@@ -130,6 +136,16 @@ ExitCode check_scene(const Scene& scene, const CheckArguments& arguments) {
     return ExitCode::done;
 }
 
+/// Drawn before the scene is checked in space, as it shows what is wrong there.
+void draw_scene(const Scene& scene, const std::string& file) {
+    const std::filesystem::path picture =
+        file.empty() ? default_directory(scene.file).filename().string() + ".png" : file;
+    if (picture.extension() != ".png")
+        throw SceneError(fmt::format("--draw: found \"{}\", expected the name of a picture, as scene.png", file));
+    write_atomically(picture, scene_picture(scene));
+    print_note("picture in " + picture.string());
+}
+
 ExitCode tell_target(const Scene& scene, const CheckArguments& arguments) {
     const std::filesystem::path file =
         arguments.study.empty() ? study_beside(scene.file) : std::filesystem::path(arguments.study);
@@ -143,6 +159,9 @@ void add_check_command(CLI::App& program, Deed& chosen) {
     CLI::App& command = *program.add_subcommand("check", "Check a scene and say what a run would do");
     const auto arguments = std::make_shared<CheckArguments>();
     arguments->scene.add_to(command);
+    command.add_option("--draw", arguments->draw, "Draw the particles at the start [NAME OF THE SCENE.png]")
+        ->type_name("FILE.png")
+        ->expected(0, 1);
     CLI::Option* cost = command.add_flag("--cost", arguments->cost,
                                          "Measure for a second or more what the scene and each of its effects cost");
     command.add_option("--threads", arguments->threads, "Number of threads of the run whose time is asked for [all]")
@@ -163,6 +182,8 @@ void add_check_command(CLI::App& program, Deed& chosen) {
             if (arguments->cost) use_thread_settings(arguments->threads);
             if (arguments->threads > 0) omp_set_num_threads(arguments->threads);
             const Scene scene = load_scene(arguments->scene.file, arguments->scene.overrides);
+            for (const std::string& doubt : suspicious_values(scene)) print_warning(doubt);
+            if (arguments->draw) draw_scene(scene, *arguments->draw);
             if (!arguments->target_error.empty()) return tell_target(scene, *arguments);
             return scene.dimension == 2 ? check_scene<2>(scene, *arguments) : check_scene<3>(scene, *arguments);
         };

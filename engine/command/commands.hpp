@@ -20,8 +20,12 @@ using Deed = std::function<ExitCode()>;
 void add_run_command(CLI::App& program, Deed& chosen);
 /// `sluice check`: says what a run would do, without one.
 void add_check_command(CLI::App& program, Deed& chosen);
-/// `sluice help`: what the effects are, and short texts on other topics.
+/// `sluice new`: writes a scene to start from.
+void add_new_command(CLI::App& program, Deed& chosen);
+/// `sluice help`: what scenes may say, what the effects are, the manual page, and short texts on other topics.
 void add_help_command(CLI::App& program, Deed& chosen);
+/// `sluice completion`: scripts for shells.
+void add_completion_command(CLI::App& program, Deed& chosen);
 
 /// `sluice study`: runs a scene over a matrix of settings.
 void add_study_command(CLI::App& program, Deed& chosen);

@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "engine/command/commands.hpp"
+#include "engine/command/manual.hpp"
 #include "engine/command/topics.hpp"
 #include "engine/effect_help.hpp"
 #include "engine/effect_table.hpp"
+#include "engine/output/version.hpp"
 #include "engine/scene/suggestion.hpp"
+#include "engine/scene_help.hpp"
+#include "engine/scene_schema.hpp"
 
 namespace sluice {
 namespace {
@@ -19,20 +23,21 @@ struct HelpArguments {
     bool markdown = false;
 };
 
-ExitCode print_page(const std::string& key) {
+ExitCode refuse(std::string_view topic, const std::string& key, const std::string& expected) {
+    print_error(fmt::format("help {}: found \"{}\", expected {}", topic, key, expected));
+    return ExitCode::bad_input;
+}
+
+ExitCode print_effect(const std::string& key) {
     std::vector<std::string> keys;
     for (const EffectRow& row : effect_table()) keys.emplace_back(row.info.key);
     const auto found = std::find(keys.begin(), keys.end(), key);
-    if (found == keys.end()) {
-        print_error(
-            fmt::format("help effects: found \"{}\", expected {}{}", key, one_of(keys), did_you_mean(key, keys)));
-        return ExitCode::bad_input;
-    }
+    if (found == keys.end()) return refuse("effects", key, one_of(keys) + did_you_mean(key, keys));
     print(effect_page(effect_table()[static_cast<std::size_t>(found - keys.begin())].info));
     return ExitCode::done;
 }
 
-void add_topics(CLI::App& command, Deed& chosen) {
+void add_texts(CLI::App& command, Deed& chosen) {
     for (const Topic& topic : topics()) {
         CLI::App& help = *command.add_subcommand(std::string(topic.name), std::string(topic.title()));
         help.callback([topic, &chosen] {
@@ -44,23 +49,67 @@ void add_topics(CLI::App& command, Deed& chosen) {
     }
 }
 
+ExitCode print_scene_keys(const std::string& key) {
+    const std::vector<const SceneKey*> meant = meant_scene_keys(key);
+    if (meant.empty())
+        return refuse("scene", key,
+                      "a key of scenes; `sluice help scene` lists them" + did_you_mean(key, scene_key_names()));
+    for (const SceneKey* row : meant) print(scene_key_page(*row));
+    return ExitCode::done;
+}
+
+/// What has a list, a page per key, and a document of all.
+struct Reference {
+    const char* name;
+    const char* what;
+    const char* document;
+    std::string (*list)();
+    std::string (*markdown)();
+    ExitCode (*page)(const std::string& key);
+};
+
+void add_reference(CLI::App& help, const Reference& topic, Deed& chosen) {
+    CLI::App& command = *help.add_subcommand(topic.name, topic.what);
+    const auto arguments = std::make_shared<HelpArguments>();
+    CLI::Option* key = command.add_option("KEY", arguments->key, "Only this one, with all that is known of it");
+    command.add_flag("--markdown", arguments->markdown, fmt::format("Print {}", topic.document))->excludes(key);
+    command.callback([arguments, topic, &chosen] {
+        chosen = [arguments, topic] {
+            if (!arguments->key.empty()) return topic.page(arguments->key);
+            print(arguments->markdown ? topic.markdown() : topic.list());
+            return ExitCode::done;
+        };
+    });
+}
+
 }  // namespace
 
 void add_help_command(CLI::App& program, Deed& chosen) {
     CLI::App& command = *program.add_subcommand("help", "Explain what a scene can ask for, and what a run gives");
     command.require_subcommand(1);
-    CLI::App& effects = *command.add_subcommand("effects", "What the effects are, and when they are on");
-    const auto arguments = std::make_shared<HelpArguments>();
-    CLI::Option* key = effects.add_option("KEY", arguments->key, "Only this effect, with formula, source and fields");
-    effects.add_flag("--markdown", arguments->markdown, "Print engine/EFFECTS.md")->excludes(key);
-    effects.callback([arguments, &chosen] {
-        chosen = [arguments] {
-            if (!arguments->key.empty()) return print_page(arguments->key);
-            print(arguments->markdown ? effects_document() : effect_list());
+    add_reference(command,
+                  {"scene", "What a scene may say: keys, values, defaults", "engine/SCENE.md", scene_key_list,
+                   scene_document, print_scene_keys},
+                  chosen);
+    add_reference(command,
+                  {"effects", "What the effects are, and when they are on", "engine/EFFECTS.md", effect_list,
+                   effects_document, print_effect},
+                  chosen);
+    CLI::App& manual = *command.add_subcommand("manual", "The manual page, as `man -l` reads it");
+    manual.callback([&program, &chosen] {
+        chosen = [&program] {
+            print(manual_page(command_tree(program), program_version()));
             return ExitCode::done;
         };
     });
-    add_topics(command, chosen);
+    CLI::App& schema = *command.add_subcommand("schema", "A JSON schema, with which editors complete and check scenes");
+    schema.callback([&chosen] {
+        chosen = [] {
+            print(scene_schema());
+            return ExitCode::done;
+        };
+    });
+    add_texts(command, chosen);
 }
 
 }  // namespace sluice

@@ -15,6 +15,7 @@
 #include "engine/errors.hpp"
 #include "engine/output/version.hpp"
 #include "engine/run.hpp"
+#include "engine/scene/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
 #include "neighbor/isa.hpp"
 
@@ -55,6 +56,7 @@ ExitCode run_scene(const RunArguments& arguments) {
     use_thread_settings(arguments.threads);
     if (!arguments.isa.empty()) use_isa(arguments.isa);
     const Scene scene = load_scene(arguments.scene.file, arguments.scene.overrides);
+    for (const std::string& doubt : suspicious_values(scene)) print_warning(doubt);
     std::filesystem::path directory = arguments.directory;
     if (directory.empty()) directory = default_directory(arguments.scene.file);
     return report(run(scene, {directory, arguments.threads, arguments.until, {}}),

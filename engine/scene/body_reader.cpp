@@ -11,24 +11,22 @@ namespace {
 std::size_t read_material_of(TomlTable& table) {
     std::vector<std::string> names;
     for (const Material& material : table.scene().materials) names.push_back(material.name);
-    return table.get("material").choice(names);
+    return table.get("material").name(names);
 }
-
-constexpr NumberRule any_time{"a number", [](double) { return true; }};
 
 /// Rows [t, x, y] or [t, x, y, z] with rising t.
 void read_motion_table(const TomlValue& value, Motion& motion) {
     const auto columns = static_cast<std::size_t>(value.scene().dimension) + 1;
     const std::string expected = fmt::format("an array of rows of {} numbers, time first", columns);
-    for (const TomlValue& row : value.items(expected)) {
+    for (const TomlValue& row : value.items()) {
         const std::vector<TomlValue> numbers = row.items(expected);
         if (numbers.size() != columns) row.reject(expected);
-        const double t = numbers[0].number(any_time);
+        const double t = numbers[0].number();
         if (!motion.time.empty() && !(t > motion.time.back()))
             row.fail(fmt::format("found t = {} s after {} s, expected rising times", t, motion.time.back()));
         motion.time.push_back(t);
         Point place{};
-        for (std::size_t k = 1; k < columns; ++k) place[k - 1] = numbers[k].number(any_time);
+        for (std::size_t k = 1; k < columns; ++k) place[k - 1] = numbers[k].number();
         motion.place.push_back(place);
     }
     if (motion.time.size() < 2) value.fail("found fewer than two rows, expected two or more");
@@ -40,7 +38,7 @@ Motion read_motion(const TomlValue& value) {
     const TomlValue formulas = table.get("displacement"), rows = table.get("table");
     if (formulas && rows) rows.fail("found it beside displacement, expected one of the two");
     if (!formulas && !rows) table.fail("found neither displacement nor table, expected one of the two");
-    if (formulas) motion.displacement = read_formulas(formulas, Variable::time);
+    if (formulas) motion.displacement = read_formulas(formulas);
     if (rows) read_motion_table(rows, motion);
     table.finish();
     return motion;
@@ -66,11 +64,10 @@ Body read_body(TomlTable& table, const std::string& name) {
         body.clamp = read_shape(clamp);
     }
     if (const auto surface = table.get("hydrostatic_surface")) read_free_surface(surface, kind, body);
-    if (const auto velocity = table.get("velocity")) body.velocity = read_formulas(velocity, Variable::place);
+    if (const auto velocity = table.get("velocity")) body.velocity = read_formulas(velocity);
     if (const auto pressure = table.get("pressure")) {
         if (kind == MaterialKind::solid) pressure.fail("found a pressure of a solid, expected it for fluids only");
-        body.pressure = pressure.node()->is_number() ? fmt::format("{}", pressure.number()) : pressure.text();
-        CompiledFormula(pressure.scene(), pressure.path(), body.pressure);
+        body.pressure = read_formula(pressure);
     }
     table.finish();
     return body;
@@ -80,12 +77,12 @@ Wall read_wall(TomlTable& table, const std::string& name) {
     check_name(table, name);
     Wall wall;
     wall.name = name;
-    wall.kind = table.get("kind").choice({"mirror", "fixed"}) == 0 ? WallKind::mirror : WallKind::fixed;
+    wall.kind = table.get("kind").word() == 0 ? WallKind::mirror : WallKind::fixed;
     if (wall.kind == WallKind::fixed) {
         wall.shape = read_shape(table.get("shape"));
         wall.spacing = read_spacing(table);
         if (const auto motion = table.get("motion")) wall.motion = read_motion(motion);
-        if (const auto v = table.get("condition")) wall.slip = v.choice({"slip", "no-slip"}) == 0;
+        if (const auto v = table.get("condition")) wall.slip = v.word() == 0;
     } else {
         wall.point = table.get("point").point();
         const TomlValue normal = table.get("normal");
@@ -100,25 +97,29 @@ Wall read_wall(TomlTable& table, const std::string& name) {
 
 }  // namespace
 
-std::array<Formula, 3> read_formulas(const TomlValue& value, Variable variable) {
-    const int dimension = value.scene().dimension;
-    const std::string expected = fmt::format("an array of {} numbers or formulas", dimension);
-    const std::vector<TomlValue> components = value.items(expected);
-    if (components.size() != static_cast<std::size_t>(dimension)) value.reject(expected);
+Formula read_formula(const TomlValue& value) {
+    const Formula formula = value.node()->is_number() ? fmt::format("{}", value.number()) : value.text();
+    const std::string_view variables = value.key().value.words;
+    const Variable variable = variables == "t"       ? Variable::time
+                              : variables == "x y z" ? Variable::place
+                                                     : Variable::place_and_time;
+    CompiledFormula(value.scene(), value.path(), formula, variable);
+    return formula;
+}
+
+std::array<Formula, 3> read_formulas(const TomlValue& value) {
+    const std::vector<TomlValue> components = value.items();
+    if (components.size() != static_cast<std::size_t>(value.scene().dimension)) value.reject();
     std::array<Formula, 3> formulas;
-    for (std::size_t k = 0; k < components.size(); ++k) {
-        const TomlValue& component = components[k];
-        formulas[k] = component.node()->is_number() ? fmt::format("{}", component.number()) : component.text();
-        CompiledFormula(value.scene(), component.path(), formulas[k], variable);
-    }
+    for (std::size_t k = 0; k < components.size(); ++k) formulas[k] = read_formula(components[k]);
     return formulas;
 }
 
 double read_spacing(TomlTable& table) {
     const TomlValue spacing = table.get("spacing"), ratio = table.get("spacing_ratio");
     if (spacing && ratio) ratio.fail("found it beside spacing, expected one of the two");
-    if (ratio) return ratio.number(positive) * table.scene().method.spacing;
-    return spacing ? spacing.number(positive) : table.scene().method.spacing;
+    if (ratio) return ratio.number() * table.scene().method.spacing;
+    return spacing ? spacing.number() : table.scene().method.spacing;
 }
 
 void check_name(const TomlTable& table, const std::string& name) {

@@ -6,16 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/scene/scene_keys.hpp"
 #include "engine/scene/toml_table.hpp"
 
 namespace sluice {
 namespace {
 
 /// Tables of the user's own names.
-bool keeps_order(std::string_view table) {
-    constexpr std::string_view ordered[] = {"bodies", "constants", "materials", "probes", "walls"};
-    return std::find(std::begin(ordered), std::end(ordered), table) != std::end(ordered);
-}
+bool keeps_order(std::string_view table) { return find_scene_key(table, "*") != nullptr; }
 
 /// Tables up to this depth get a heading of their own, deeper ones are written within a line.
 constexpr int deepest_heading = 2;

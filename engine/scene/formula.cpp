@@ -14,6 +14,12 @@ namespace {
 constexpr Point trial{0.337, 0.571, 0.793};
 constexpr double trial_time = 0.419;
 
+/// muParser ends its sentences; ours go on.
+std::string without_end(std::string sentence) {
+    if (sentence.ends_with('.')) sentence.pop_back();
+    return sentence;
+}
+
 }  // namespace
 
 struct CompiledFormula::Impl {
@@ -42,7 +48,8 @@ struct CompiledFormula::Impl {
             if (values != 1) fail(fmt::format("{} values", values));
             return result[0];
         } catch (const mu::Parser::exception_type& error) {
-            fail(error.GetMsg());
+            fail(error.GetCode() == mu::ecUNASSIGNABLE_TOKEN ? fmt::format("\"{}\" is not known", error.GetToken())
+                                                             : without_end(error.GetMsg()));
         }
     }
 };

@@ -5,8 +5,6 @@
 namespace sluice {
 namespace {
 
-// At 1/2 the bulk modulus of an isotropic solid is infinite, at -1 the shear modulus.
-constexpr NumberRule poisson_rule{"a number in (-1, 0.5)", [](double v) { return v > -1 && v < 0.5; }};
 constexpr std::string_view moduli = "either youngs_modulus and poisson_ratio, or bulk_modulus and shear_modulus";
 
 /// Two elastic constants fix an isotropic solid; both pairs in use lead to K and μ.
@@ -24,12 +22,12 @@ void read_moduli(TomlTable& table, Material& material) {
     }
     double bulk_modulus = 0;
     if (youngs || poisson) {
-        const double e = youngs.number(positive), nu = poisson.number(poisson_rule);
+        const double e = youngs.number(), nu = poisson.number();
         bulk_modulus = e / (3 * (1 - 2 * nu));
         material.shear_modulus = e / (2 * (1 + nu));
     } else {
-        bulk_modulus = bulk.number(positive);
-        material.shear_modulus = shear.number(positive);
+        bulk_modulus = bulk.number();
+        material.shear_modulus = shear.number();
     }
     material.sound_speed = std::sqrt(bulk_modulus / material.density);
 }
@@ -38,18 +36,17 @@ Material read_material(TomlTable& table, const std::string& name) {
     check_name(table, name);
     Material material;
     material.name = name;
-    material.kind = table.get("kind").choice({"fluid", "solid"}) == 0 ? MaterialKind::fluid : MaterialKind::solid;
-    material.density = table.get("density").number(positive);
+    material.kind = table.get("kind").word() == 0 ? MaterialKind::fluid : MaterialKind::solid;
+    material.density = table.get("density").number();
     if (material.kind == MaterialKind::fluid) {
-        material.sound_speed = table.get("sound_speed").number(positive);
-        if (const auto v = table.get("viscosity")) material.viscosity = v.number(not_negative);
+        material.sound_speed = table.get("sound_speed").number();
+        if (const auto v = table.get("viscosity")) material.viscosity = v.number();
         if (const auto v = table.get("equation_of_state"))
-            material.pressure_exponent = v.choice({"linear", "tait"}) == 0 ? 1 : 7;  // water's exponent
+            material.pressure_exponent = v.word() == 0 ? 1 : 7;  // water's exponent
     } else {
         material.model =
             table.scene().method.preset == Preset::paper ? SolidModel::hypoelastic : SolidModel::saint_venant_kirchhoff;
-        if (const auto v = table.get("model"))
-            material.model = static_cast<SolidModel>(v.choice({"hypoelastic", "st-venant-kirchhoff", "neo-hookean"}));
+        if (const auto v = table.get("model")) material.model = static_cast<SolidModel>(v.word());
         read_moduli(table, material);
     }
     table.finish();

@@ -4,8 +4,6 @@
 namespace sluice {
 namespace {
 
-constexpr NumberRule filter_rule{"a number in (0, 1]", [](double v) { return v > 0 && v <= 1; }};
-
 /// The paper to the letter [Antoci2007]: eq. (16) in place of viscosity in the fluid; eqs. (11, 12, 14) in the solid.
 Method paper_method() {
     Method m;
@@ -37,26 +35,25 @@ Method modern_method() {
     return m;
 }
 
-/// One of `names`, which stand for an enumeration's values in their order; `to` is kept if the key is absent.
+/// A word, of which the table of keys has one for each of an enumeration's values, in their order; `to` is kept if the
+/// key is absent.
 template <class Enum>
-void read_choice(TomlTable& table, const std::string& key, const std::vector<std::string>& names, Enum& to) {
-    if (const auto v = table.get(key)) to = static_cast<Enum>(v.choice(names));
+void read_choice(TomlTable& table, const std::string& key, Enum& to) {
+    if (const auto v = table.get(key)) to = static_cast<Enum>(v.word());
 }
 
 void read_fluid(TomlTable& method, MediumMethod& fluid) {
     const TomlValue value = method.get("fluid");
     if (!value) return;
     TomlTable table(value);
-    if (const auto v = table.get("velocity_filter")) fluid.velocity_filter = v.number(filter_rule);
-    if (const auto v = table.get("artificial_viscosity")) fluid.artificial_viscosity = v.number(not_negative);
+    if (const auto v = table.get("velocity_filter")) fluid.velocity_filter = v.number();
+    if (const auto v = table.get("artificial_viscosity")) fluid.artificial_viscosity = v.number();
     if (const auto v = table.get("viscous_form"))
-        fluid.viscous_form =
-            v.choice({"morris", "monaghan-gingold"}) == 0 ? Viscosity::morris : Viscosity::monaghan_gingold;
-    read_choice(table, "density_diffusion", {"none", "molteni-colagrossi", "fourtakas", "antuono"},
-                fluid.density_diffusion);
-    if (const auto v = table.get("acoustic_damping")) fluid.acoustic_damping = v.number(not_negative);
-    if (const auto v = table.get("particle_shifting")) fluid.shifting = v.number(not_negative);
-    if (const auto v = table.get("diffusion_coefficient")) fluid.diffusion_coefficient = v.number(positive);
+        fluid.viscous_form = v.word() == 0 ? Viscosity::morris : Viscosity::monaghan_gingold;
+    read_choice(table, "density_diffusion", fluid.density_diffusion);
+    if (const auto v = table.get("acoustic_damping")) fluid.acoustic_damping = v.number();
+    if (const auto v = table.get("particle_shifting")) fluid.shifting = v.number();
+    if (const auto v = table.get("diffusion_coefficient")) fluid.diffusion_coefficient = v.number();
     table.finish();
 }
 
@@ -64,21 +61,20 @@ void read_solid(TomlTable& method, MediumMethod& solid) {
     const TomlValue value = method.get("solid");
     if (!value) return;
     TomlTable table(value);
-    if (const auto v = table.get("velocity_filter")) solid.velocity_filter = v.number(filter_rule);
-    if (const auto v = table.get("artificial_viscosity")) solid.artificial_viscosity = v.number(not_negative);
-    if (const auto v = table.get("artificial_stress")) solid.artificial_stress = v.number(not_negative);
-    if (const auto v = table.get("artificial_stress_exponent")) solid.artificial_stress_exponent = v.integer({1, 8});
-    if (const auto v = table.get("hourglass_control")) solid.hourglass_control = v.number(not_negative);
+    if (const auto v = table.get("velocity_filter")) solid.velocity_filter = v.number();
+    if (const auto v = table.get("artificial_viscosity")) solid.artificial_viscosity = v.number();
+    if (const auto v = table.get("artificial_stress")) solid.artificial_stress = v.number();
+    if (const auto v = table.get("artificial_stress_exponent")) solid.artificial_stress_exponent = v.whole();
+    if (const auto v = table.get("hourglass_control")) solid.hourglass_control = v.number();
     table.finish();
 }
 
 void read_time(TomlTable& table, Method& method) {
-    read_choice(table, "integrator", {"staggered-euler", "kick-drift-kick"}, method.integrator);
-    read_choice(table, "step_size", {"fixed", "adaptive"}, method.step_size);
-    if (const auto v = table.get("courant"))
-        method.courant = v.number({"a number in (0, 2]", [](double c) { return c > 0 && c <= 2; }});
-    if (const auto v = table.get("time_step")) method.time_step = v.number(positive);
-    if (const auto v = table.get("time_stepping")) method.multi_rate = v.choice({"single-rate", "multi-rate"}) == 1;
+    read_choice(table, "integrator", method.integrator);
+    read_choice(table, "step_size", method.step_size);
+    if (const auto v = table.get("courant")) method.courant = v.number();
+    if (const auto v = table.get("time_step")) method.time_step = v.number();
+    if (const auto v = table.get("time_stepping")) method.multi_rate = v.word() == 1;
 }
 
 }  // namespace
@@ -88,19 +84,16 @@ void read_method(TomlTable& root) {
     Method& method = root.scene().method;
     // A preset sets every choice; each can then be changed by itself.
     Preset preset = Preset::modern;
-    read_choice(table, "preset", {"paper", "modern"}, preset);
+    read_choice(table, "preset", preset);
     method = preset == Preset::paper ? paper_method() : modern_method();
-    method.spacing = table.get("spacing").number(positive);
-    read_choice(table, "smoothing_function", {"cubic-spline", "wendland-c2", "wendland-c4", "quintic-spline"},
-                method.smoothing_function);
-    if (const auto v = table.get("smoothing_length"))
-        method.smoothing_length = v.number({"a number in [1, 3]", [](double s) { return s >= 1 && s <= 3; }});
-    read_choice(table, "coupling", {"interface-force", "moving-boundary"}, method.coupling);
-    const std::vector<std::string> precisions{"double", "mixed"};
-    if (const auto v = table.get("precision")) method.precision = precisions[v.choice(precisions)];
+    method.spacing = table.get("spacing").number();
+    read_choice(table, "smoothing_function", method.smoothing_function);
+    if (const auto v = table.get("smoothing_length")) method.smoothing_length = v.number();
+    read_choice(table, "coupling", method.coupling);
+    if (const auto v = table.get("precision")) method.precision = v.word() == 0 ? "double" : "mixed";
     read_time(table, method);
-    if (const auto v = table.get("mach_limit")) method.mach_limit = v.number(positive);
-    if (const auto v = table.get("expected_speed")) method.expected_speed = v.number(positive);
+    if (const auto v = table.get("mach_limit")) method.mach_limit = v.number();
+    if (const auto v = table.get("expected_speed")) method.expected_speed = v.number();
     read_fluid(table, method.fluid);
     read_solid(table, method.solid);
     table.finish();
@@ -112,8 +105,7 @@ void read_effects(TomlTable& root) {
     TomlTable table(value);
     for (const EffectRow& row : effect_table()) {
         const std::string key(row.info.key);
-        if (const auto v = table.get(key))
-            root.scene().switches[key] = static_cast<Switch>(v.choice({"auto", "on", "off"}));
+        if (const auto v = table.get(key)) root.scene().switches[key] = static_cast<Switch>(v.word());
     }
     table.finish();
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/scene/scene.hpp"
+#include "engine/scene/scene_keys.hpp"
 #include "engine/scene/suggestion.hpp"
 
 namespace sluice {
@@ -60,10 +61,8 @@ std::vector<std::string> names_in(const toml::table& table) {
 /// In a table of the user's own names a misspelt name would not be noticed, or would be taken for a new body.
 void check_name(const toml::table& root, const Override& change, const std::string& file) {
     const std::string& kind = change.keys[0];
-    const bool named =
-        kind == "bodies" || kind == "materials" || kind == "walls" || kind == "probes" || kind == "reference";
-    const bool inside = (named && change.keys.size() > 2) || (kind == "constants" && change.keys.size() > 1);
-    if (!inside) return;
+    const SceneKey* named = find_scene_key(kind, "*");
+    if (!named || change.keys.size() <= (named->value.type == KeyType::table ? 2 : 1)) return;
     const toml::table* table = root[kind].as_table();
     const std::string& name = change.keys[1];
     if (table && table->contains(name)) return;

@@ -3,6 +3,15 @@
 #include <fmt/format.h>
 
 namespace sluice {
+namespace {
+
+/// The table or array that holds a key: "a.b[1]" → "a.b" → "a" → "".
+std::string parent_of(const std::string& key) {
+    const std::size_t end = key.find_last_of(".[");
+    return end == std::string::npos ? "" : key.substr(0, end);
+}
+
+}  // namespace
 
 std::string describe_place(const Scene& scene, const Point& p) {
     if (scene.dimension == 2) return fmt::format("({:.6g}, {:.6g})", p[0], p[1]);
@@ -13,6 +22,15 @@ std::string describe_key(const Scene& scene, const std::string& key) {
     const auto found = scene.lines.find(key);
     if (found == scene.lines.end()) return key;
     return found->second == 0 ? key + " (set by --set)" : fmt::format("{} (line {})", key, found->second);
+}
+
+std::string located(const Scene& scene, const std::string& key, const std::string& message) {
+    // A key that the file leaves out is reported at the table it belongs in, a table at the file's first line.
+    std::string known = key;
+    while (!known.empty() && !scene.lines.contains(known)) known = parent_of(known);
+    const int line = known.empty() ? 1 : scene.lines.at(known);
+    if (line == 0) return fmt::format("{}: --set {}: {}", scene.file, key, message);
+    return fmt::format("{}:{}: {}: {}", scene.file, line, key, message);
 }
 
 std::string spacing_key(const Scene& scene, const std::string& owner) {

@@ -5,15 +5,10 @@
 namespace sluice {
 namespace {
 
-const std::vector<std::string> kind_names{"displacement", "pressure", "water_level",   "energy",
-                                          "momentum",     "force",    "velocity_error"};
-constexpr ProbeKind kinds[]{ProbeKind::displacement, ProbeKind::pressure, ProbeKind::water_level,   ProbeKind::energy,
-                            ProbeKind::momentum,     ProbeKind::force,    ProbeKind::velocity_error};
-
 std::size_t read_body_of(const TomlValue& value) {
     std::vector<std::string> names;
     for (const Body& body : value.scene().bodies) names.push_back(body.name);
-    return value.choice(names);
+    return value.name(names);
 }
 
 std::size_t read_solid_of(const TomlValue& value) {
@@ -46,7 +41,7 @@ Probe read_probe(TomlTable& table, const std::string& name) {
     check_name(table, name);
     Probe probe;
     probe.name = name;
-    probe.kind = kinds[table.get("kind").choice(kind_names)];
+    probe.kind = static_cast<ProbeKind>(table.get("kind").word());
     switch (probe.kind) {
         case ProbeKind::displacement:
             probe.body = read_solid_of(table.get("body"));
@@ -64,7 +59,7 @@ Probe read_probe(TomlTable& table, const std::string& name) {
             break;
         case ProbeKind::velocity_error:
             probe.body = read_fluid_of(table.get("body"));
-            probe.velocity = read_formulas(table.get("velocity"), Variable::place_and_time);
+            probe.velocity = read_formulas(table.get("velocity"));
             break;
         case ProbeKind::energy:
         case ProbeKind::momentum:

@@ -11,6 +11,7 @@
 #include "engine/scene/formula.hpp"
 #include "engine/scene/overrides.hpp"
 #include "engine/scene/reader_parts.hpp"
+#include "engine/scene/syntax_error.hpp"
 #include "engine/scene/toml_table.hpp"
 
 namespace sluice {
@@ -32,7 +33,8 @@ toml::table parse(const std::string& text, const std::string& path) {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
         const auto& at = error.source().begin;
-        throw SceneError(fmt::format("{}:{}:{}: {}", path, at.line, at.column, error.description()));
+        throw SceneError(
+            fmt::format("{}:{}", path, explain_syntax_error(text, {at.line, at.column}, error.description())));
     }
 }
 
@@ -49,8 +51,8 @@ void read_constants(TomlTable& root) {
 }
 
 std::pair<double, double> read_sides(const TomlValue& value) {
-    const std::vector<TomlValue> sides = value.items("an array of two numbers");
-    if (sides.size() != 2) value.reject("an array of two numbers");
+    const std::vector<TomlValue> sides = value.items();
+    if (sides.size() != 2) value.reject();
     const double low = sides[0].number(), high = sides[1].number();
     if (!(low < high)) value.fail(fmt::format("found [{}, {}], expected the lower side first", low, high));
     return {low, high};
@@ -59,11 +61,11 @@ std::pair<double, double> read_sides(const TomlValue& value) {
 void read_output(TomlTable& root) {
     TomlTable table(root.get("output"));
     OutputTimes& output = root.scene().output;
-    output.end = table.get("end").number(positive);
-    if (const auto v = table.get("frame_interval")) output.frame_interval = v.number(not_negative);
-    if (const auto v = table.get("probe_interval")) output.probe_interval = v.number(not_negative);
-    if (const auto v = table.get("checkpoint_interval")) output.checkpoint_interval = v.number(not_negative);
-    if (const auto v = table.get("checkpoint_minutes")) output.checkpoint_minutes = v.number(not_negative);
+    output.end = table.get("end").number();
+    if (const auto v = table.get("frame_interval")) output.frame_interval = v.number();
+    if (const auto v = table.get("probe_interval")) output.probe_interval = v.number();
+    if (const auto v = table.get("checkpoint_interval")) output.checkpoint_interval = v.number();
+    if (const auto v = table.get("checkpoint_minutes")) output.checkpoint_minutes = v.number();
     table.finish();
 }
 
@@ -71,18 +73,17 @@ void read_watch(TomlTable& root) {
     const TomlValue value = root.get("watch");
     if (!value) return;
     TomlTable table(value);
-    if (const auto v = table.get("policy"))
-        root.scene().watch = static_cast<WatchPolicy>(v.choice({"stop", "retry", "warn"}));
+    if (const auto v = table.get("policy")) root.scene().watch = static_cast<WatchPolicy>(v.word());
     table.finish();
 }
 
 void read_scene(TomlTable& root) {
     Scene& scene = root.scene();
     if (const auto v = root.get("title")) scene.title = v.text();
-    if (const auto v = root.get("dimension")) scene.dimension = v.integer({2, 3});
+    if (const auto v = root.get("dimension")) scene.dimension = v.whole();
     if (const auto v = root.get("gravity")) scene.gravity = v.point();
     read_constants(root);
-    if (const auto v = root.get("acceleration")) scene.acceleration = read_formulas(v, Variable::time);
+    if (const auto v = root.get("acceleration")) scene.acceleration = read_formulas(v);
     read_domain(root);
     read_method(root);
     read_effects(root);

@@ -19,8 +19,10 @@ void read_references(TomlTable& root);
 
 ShapePtr read_shape(const TomlValue& value);
 
+/// A number or a formula, in the variables that the table of keys names.
+Formula read_formula(const TomlValue& value);
 /// Components as numbers or formulas, as many as the scene has dimensions.
-std::array<Formula, 3> read_formulas(const TomlValue& value, Variable variable);
+std::array<Formula, 3> read_formulas(const TomlValue& value);
 
 /// `spacing` or `spacing_ratio` of a body or wall; the scene's spacing without either.
 double read_spacing(TomlTable& table);

@@ -9,6 +9,7 @@
 #include "engine/scene/number_table.hpp"
 #include "engine/scene/probe_columns.hpp"
 #include "engine/scene/reader_parts.hpp"
+#include "engine/scene/scene_keys.hpp"
 #include "engine/scene/suggestion.hpp"
 
 namespace sluice {
@@ -19,7 +20,7 @@ std::string read_column(const TomlValue& value) {
     for (const Probe& probe : value.scene().probes)
         for (std::string& column : probe_columns(probe, value.scene().dimension)) columns.push_back(std::move(column));
     if (columns.empty()) value.fail("found it in a scene without probes, expected a column of one");
-    return columns[value.choice(columns)];
+    return columns[value.name(columns)];
 }
 
 std::size_t find_column(const NumberTable& table, const TomlValue& value) {
@@ -61,7 +62,7 @@ void read_table(const TomlValue& value, Reference& reference) {
     const std::size_t time = find_column(table, keys.get("time"));
     std::vector<std::size_t> columns;
     const TomlValue values = keys.get("values");
-    for (const TomlValue& name : values.items("an array of columns")) columns.push_back(find_column(table, name));
+    for (const TomlValue& name : values.items()) columns.push_back(find_column(table, name));
     if (columns.empty()) values.fail("found no column, expected one or more, of which the mean is taken");
     double factor = 1;
     if (const auto v = keys.get("factor")) factor = v.number();
@@ -84,8 +85,7 @@ void read_truth(TomlTable& table, Reference& reference) {
         number.fail(
             fmt::format("found it beside {}, expected one of formula, table and value", formula ? "formula" : "table"));
     if (formula) {
-        reference.formula = formula.node()->is_number() ? fmt::format("{}", formula.number()) : formula.text();
-        CompiledFormula(formula.scene(), formula.path(), reference.formula, Variable::time);
+        reference.formula = read_formula(formula);
     }
     if (rows) read_table(rows, reference);
     if (!number) return;
@@ -102,19 +102,19 @@ Reference read_reference(TomlTable& table, const std::string& name) {
     Reference reference;
     reference.name = name;
     reference.column = read_column(table.get("probe"));
-    if (const auto v = table.get("measure")) reference.measure = static_cast<Measure>(v.choice(measure_names()));
+    if (const auto v = table.get("measure")) reference.measure = static_cast<Measure>(v.word());
     read_truth(table, reference);
-    if (const auto v = table.get("from")) reference.from = v.number(not_negative);
+    if (const auto v = table.get("from")) reference.from = v.number();
     if (const auto v = table.get("to")) {
-        reference.to = v.number(positive);
+        reference.to = v.number();
         if (!(*reference.to > reference.from))
             v.fail(fmt::format("found {}, expected a time after from = {}", *reference.to, reference.from));
     }
     const TomlValue scale = table.get("scale");
-    if (scale) reference.scale = scale.number(positive);
+    if (scale) reference.scale = scale.number();
     if (reference.number == 0.0 && !scale)
         table.fail("found a value of 0 without a scale, expected the scale that relative errors refer to");
-    if (const auto v = table.get("uncertainty")) reference.uncertainty = v.number(not_negative);
+    if (const auto v = table.get("uncertainty")) reference.uncertainty = v.number();
     if (const auto v = table.get("source")) reference.source = v.text();
     table.finish();
     return reference;
@@ -123,7 +123,7 @@ Reference read_reference(TomlTable& table, const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& measure_names() {
-    static const std::vector<std::string> names{"rms", "max", "peak", "peak_time", "period", "final", "mean"};
+    static const std::vector<std::string> names = words_in(resolve_scene_key("reference.*.measure")->value.words);
     return names;
 }
 

@@ -1,25 +1,11 @@
 #include "engine/scene/scene.hpp"
 
-#include <fmt/format.h>
+#include "engine/scene/place.hpp"
 
 namespace sluice {
-namespace {
-
-/// The table or array that holds a key: "a.b[1]" → "a.b" → "a" → "".
-std::string parent_of(const std::string& key) {
-    const std::size_t end = key.find_last_of(".[");
-    return end == std::string::npos ? "" : key.substr(0, end);
-}
-
-}  // namespace
 
 void Scene::fail(const std::string& key, const std::string& message) const {
-    // A key that the file leaves out is reported at the table it belongs in, a table at the file's first line.
-    std::string known = key;
-    while (!known.empty() && !lines.contains(known)) known = parent_of(known);
-    const int line = known.empty() ? 1 : lines.at(known);
-    if (line == 0) throw SceneError(fmt::format("{}: --set {}: {}", file, key, message));
-    throw SceneError(fmt::format("{}:{}: {}: {}", file, line, key, message));
+    throw SceneError(located(*this, key, message));
 }
 
 }  // namespace sluice

@@ -24,7 +24,7 @@ ShapePtr read_box(const TomlValue& value) {
 ShapePtr read_ball(const TomlValue& value) {
     TomlTable table(value);
     const Point centre = table.get("centre").point();
-    const double radius = table.get("radius").number(positive);
+    const double radius = table.get("radius").number();
     table.finish();
     return make_ball(centre, radius);
 }
@@ -34,7 +34,7 @@ ShapePtr read_cylinder(const TomlValue& value) {
     const TomlValue from = table.get("from"), to = table.get("to");
     const Point begin = from.point(), end = to.point();
     if (begin == end) to.fail("found the same point as from's, expected the centre of the other end");
-    const double radius = table.get("radius").number(positive);
+    const double radius = table.get("radius").number();
     table.finish();
     return make_cylinder(begin, end, radius);
 }
@@ -64,7 +64,7 @@ ShapePtr read_polygon(const TomlValue& value) { return make_polygon(read_vertice
 ShapePtr read_extrusion(const TomlValue& value) {
     TomlTable table(value);
     const TomlValue vertices = table.get("polygon");
-    const std::size_t axis = table.get("axis").choice({"x", "y", "z"});
+    const std::size_t axis = table.get("axis").word();
     std::vector<Point> polygon = read_vertices(vertices, axes_across(axis));
     const TomlValue from = table.get("from"), to = table.get("to");
     const Interval along{from.number(), to.number()};

@@ -31,12 +31,15 @@ class TomlTable {
 
   private:
     std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+    /// Why a key is not expected here: of another kind, of another table, or of none.
+    std::string unknown_key(const std::string& key) const;
     bool was_asked(const std::string& key) const;
     /// A key present that nobody has asked for and that looks like a slip of this one; empty if none.
     std::string misspelling_of(const std::string& key) const;
 
     const toml::table* table_;
     std::string path_;
+    std::string_view pattern_;  ///< as in SceneKey::path
     Scene* scene_;
     std::vector<std::string> asked_;
 };

@@ -3,59 +3,63 @@
 
 #include <toml++/toml.h>
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/scene/scene.hpp"
+#include "engine/scene/scene_key.hpp"
 
 namespace sluice {
 
-/// Which numbers a key accepts, and how to say so.
-struct NumberRule {
-    std::string_view text;
-    bool (*holds)(double);
-};
-inline constexpr NumberRule any_number{"a number", [](double) { return true; }};
-inline constexpr NumberRule positive{"a number > 0", [](double v) { return v > 0; }};
-inline constexpr NumberRule not_negative{"a number >= 0", [](double v) { return v >= 0; }};
-
-struct IntegerRange {
-    int min = 0;
-    int max = 0;
-};
-
-/// A value that may be absent; asking an absent one for its content is the error "found nothing".
+/// A value that may be absent; asking an absent one for its content is the error "found nothing". What it may be is
+/// what the table of keys says of it: asking it for anything else is a mistake of ours, std::logic_error.
 class TomlValue {
   public:
     /// `misspelt`: a key of the same table that looks like a slip of this absent one; may be empty.
-    TomlValue(const toml::node* node, std::string path, Scene& scene, std::string misspelt = {});
+    TomlValue(const toml::node* node, std::string path, Scene& scene, const SceneKey& key, std::string misspelt = {});
 
     explicit operator bool() const { return node_ != nullptr; }
     const std::string& path() const { return path_; }
     Scene& scene() const { return *scene_; }
     const toml::node* node() const { return node_; }
+    /// Of the array, for one of its values.
+    const SceneKey& key() const { return *key_; }
 
-    double number(const NumberRule& rule = any_number) const;
-    int integer(IntegerRange range) const;
+    double number() const;
+    int whole() const;
     std::string text() const;
-    /// Index of the option that the text equals.
-    std::size_t choice(const std::vector<std::string>& options) const;
+    /// Index of the word, among those that the key may have.
+    std::size_t word() const;
+    /// Index of the name that the text equals.
+    std::size_t name(const std::vector<std::string>& names) const;
     /// As many numbers as the scene has dimensions.
     Point point() const;
-    /// The values of an array.
-    std::vector<TomlValue> items(std::string_view expected) const;
+    /// The values of an array; `expected` in place of what the key says.
+    std::vector<TomlValue> items(std::string_view expected = {}) const;
 
     /// What stands in the file, for messages.
     std::string found() const;
+    /// What the key says of its values.
+    std::string expected() const;
     /// "found …, expected …"
     [[noreturn]] void reject(std::string_view expected) const;
+    [[noreturn]] void reject() const { reject(expected()); }
     [[noreturn]] void fail(const std::string& message) const;
 
   private:
+    /// One of an array's values.
+    TomlValue(const TomlValue& array, const toml::node& item, std::size_t index);
+    /// Throws std::logic_error unless the key has one of these types.
+    void must_be(std::initializer_list<KeyType> types) const;
+    std::size_t index_in(const std::vector<std::string>& options) const;
+
     const toml::node* node_;
     std::string path_;
     Scene* scene_;
+    const SceneKey* key_;
+    bool is_item_ = false;
     std::string misspelt_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <cairo.h>
 
+#include <numbers>
+
 #include "engine/errors.hpp"
 
 namespace sluice {
@@ -48,6 +50,26 @@ void Drawing::line(double x0, double y0, double x1, double y1, std::uint32_t col
     cairo_stroke(cairo_);
 }
 
+void Drawing::dashed_line(double x0, double y0, double x1, double y1, std::uint32_t color, double dash) {
+    cairo_set_dash(cairo_, &dash, 1, 0);
+    line(x0, y0, x1, y1, color);
+    cairo_set_dash(cairo_, nullptr, 0, 0);
+}
+
+void Drawing::circle(double x, double y, double radius, std::uint32_t color, double width) {
+    use(color);
+    cairo_set_line_width(cairo_, width);
+    cairo_new_path(cairo_);
+    cairo_arc(cairo_, x, y, radius, 0, 2 * std::numbers::pi);
+    cairo_stroke(cairo_);
+}
+
+void Drawing::fill(const PictureBox& box, std::uint32_t color) {
+    use(color);
+    cairo_rectangle(cairo_, box.left, box.top, box.right - box.left, box.bottom - box.top);
+    cairo_fill(cairo_);
+}
+
 void Drawing::text(double x, double y, std::string_view words, double size, std::uint32_t color, TextSide side) {
     const std::string text(words);
     cairo_set_font_size(cairo_, size);
@@ -57,6 +79,21 @@ void Drawing::text(double x, double y, std::string_view words, double size, std:
     use(color);
     cairo_move_to(cairo_, x - back * extents.x_advance, y);
     cairo_show_text(cairo_, text.c_str());
+}
+
+void Drawing::label(double x, double y, std::string_view words, double size, std::uint32_t color, std::uint32_t halo,
+                    TextSide side) {
+    const std::string text(words);
+    cairo_set_font_size(cairo_, size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_, text.c_str(), &extents);
+    const double back = side == TextSide::left ? 0 : side == TextSide::middle ? 0.5 : 1;
+    use(halo);
+    cairo_move_to(cairo_, x - back * extents.x_advance, y);
+    cairo_text_path(cairo_, text.c_str());
+    cairo_set_line_width(cairo_, size / 4);
+    cairo_stroke(cairo_);
+    this->text(x, y, words, size, color, side);
 }
 
 void Drawing::gradient(const PictureBox& box, const ColorMap& map) {

@@ -27,9 +27,16 @@ class Drawing {
     void clip(const PictureBox& box);
     void unclip();
     void line(double x0, double y0, double x1, double y1, std::uint32_t color, double width = 1);
+    /// In stretches of so many pixels, with gaps as long.
+    void dashed_line(double x0, double y0, double x1, double y1, std::uint32_t color, double dash);
+    void circle(double x, double y, double radius, std::uint32_t color, double width = 1);
+    void fill(const PictureBox& box, std::uint32_t color);
     /// `side`: where the text's `x` is. `size` in pixels.
     void text(double x, double y, std::string_view words, double size, std::uint32_t color,
               TextSide side = TextSide::left);
+    /// Text on a halo, readable on anything.
+    void label(double x, double y, std::string_view words, double size, std::uint32_t color, std::uint32_t halo,
+               TextSide side);
     void gradient(const PictureBox& box, const ColorMap& map);
 
     /// Blue, green, red, alpha; rows of stride() bytes. Lines and words of before are in it.

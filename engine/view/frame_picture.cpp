@@ -8,20 +8,10 @@
 #include "engine/errors.hpp"
 #include "engine/view/drawing.hpp"
 #include "engine/view/particle_raster.hpp"
+#include "engine/view/rulers.hpp"
 
 namespace sluice {
 namespace {
-
-struct Palette {
-    std::uint32_t page, ink, muted, line;
-    std::array<std::uint32_t, 3> plain;  ///< of media without a field
-};
-
-/// As the page's.
-constexpr Palette palette_of(Theme theme) {
-    return theme == Theme::light ? Palette{0xffffff, 0x1b1f24, 0x65707c, 0xdde2e7, {0x458cc7, 0xd18042, 0x98a1ab}}
-                                 : Palette{0x131619, 0xe5e8eb, 0x97a1ac, 0x2e343b, {0x458cc7, 0xd18042, 0x707a85}};
-}
 
 /// Diameters over spacings, as the page's. Discs of √2 spacings cover the plane of a square lattice without a gap,
 /// which reads as water; balls need no more than to touch.
@@ -38,52 +28,10 @@ struct Layout {
     PictureBox frame;  ///< that they may reach
 };
 
-/// The unit that keeps numbers short, and what a value in SI is multiplied by.
-std::pair<std::string, double> shown_unit(std::string_view unit, double size) {
-    if (unit == "m" && size < 0.5) return {"mm", 1e3};
-    if (unit == "Pa" && size >= 1e6) return {"MPa", 1e-6};
-    if (unit == "Pa" && size >= 1e3) return {"kPa", 1e-3};
-    return {std::string(unit), 1};
-}
-
 std::string words_of(const std::string& field) {
     std::string words = field == "von_mises" ? "von Mises stress" : field;
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
-}
-
-/// A hyphen in front of a number as the sign that it stands for.
-std::string with_minus(const std::string& number) { return number.starts_with('-') ? "−" + number.substr(1) : number; }
-
-/// A step of 1, 2 or 5 times a power of ten, at least as large.
-double even_step(double least) {
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double k : {1.0, 2.0, 5.0})
-        if (k * power >= least) return k * power;
-    return 10 * power;
-}
-
-void draw_rulers(Drawing& drawing, const Projection& to, const Layout& at, const Palette& palette) {
-    const double scale = to.pixels_per_metre(), step = even_step(90 * at.unit / scale);
-    const auto [unit, factor] = shown_unit("m", at.width / scale);
-    const Point zero = to({0, 0, 0});
-    const double size = 13 * at.unit;
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step * factor) + 1e-9)));
-    const auto label = [&](double k) { return with_minus(fmt::format("{:.{}f}", k * step * factor + 0.0, decimals)); };
-    const double base = at.box.bottom + 12 * at.unit, side = at.box.left - 14 * at.unit;
-    for (double k = std::ceil((at.box.left - zero[0]) / scale / step); zero[0] + k * step * scale <= at.box.right;
-         ++k) {
-        const double x = zero[0] + k * step * scale;
-        drawing.line(x, base, x, base + 5 * at.unit, palette.muted);
-        drawing.text(x, base + 19 * at.unit, label(k), size, palette.muted, TextSide::middle);
-    }
-    for (double k = std::ceil((zero[1] - at.box.bottom) / scale / step); zero[1] - k * step * scale >= at.box.top;
-         ++k) {
-        const double y = zero[1] - k * step * scale;
-        drawing.line(side, y, side - 5 * at.unit, y, palette.muted);
-        drawing.text(side - 9 * at.unit, y + 4 * at.unit, label(k), size, palette.muted, TextSide::right);
-    }
-    drawing.text(side - 9 * at.unit, base + 19 * at.unit, unit, size, palette.muted, TextSide::right);
 }
 
 void draw_planes(Drawing& drawing, const Projection& to, const RunFolder& run, const Palette& palette) {
@@ -209,7 +157,7 @@ std::string frame_picture(const StoredFrame& frame, const RunFolder& run, const 
     raster.draw(sprites_of(frame, run, to, style), run.dimension == 2 ? Shading::flat : Shading::ball);
     raster.blend_into(drawing.pixels(), drawing.stride());
     drawing.pixels_changed();
-    if (run.dimension == 2) draw_rulers(drawing, to, at, palette);
+    if (run.dimension == 2) draw_rulers(drawing, to, at.box, at.unit, palette);
     draw_words(drawing, frame, run, style, at);
     return drawing.png();
 }

@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "engine/view/field_ranges.hpp"
+#include "engine/view/palette.hpp"
 #include "engine/view/projection.hpp"
 #include "engine/view/run_folder.hpp"
 
 namespace sluice {
-
-enum class Theme { light, dark };
 
 /// What the colours of a medium show; without a field it has one colour.
 struct MediumColors {

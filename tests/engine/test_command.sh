@@ -40,6 +40,8 @@ expect 0 "Examples:" "$program" --help
 expect 0 "--threads" "$program" run --help
 expect 2 "sluice: error: " "$program"
 expect 2 "sluice: error: " "$program" fly
+expect 2 'found "chek", expected one of "new", "run", "check"' "$program" chek
+holds 'did you mean "check"?' out
 expect 2 "SCENE is required" "$program" run
 expect 2 "--threads" "$program" run "$gate" --threads 0
 expect 2 "--threads" "$program" run "$gate" --threads many

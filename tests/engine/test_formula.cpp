@@ -29,7 +29,7 @@ TEST_CASE("formulas", "[scene][formula]") {
     CHECK_THAT(formula_error("x = 3"), Contains("an assignment"));
     CHECK(gate_error("[\"0\", \"0.01*sin(pi*x*kL)\"]", "[0.5, -1]") == "");
     CHECK(gate_error("[\"0\", \"0.01*sin(pi*x*kL)\"]", "[0.5]") ==
-          "23: bodies.water.velocity: found an array of 1 value, expected an array of 2 numbers or formulas");
+          "23: bodies.water.velocity: found [0.5], expected an array of 2 numbers or formulas");
     CHECK(gate_error("[\"0\", \"0.01*sin(pi*x*kL)\"]", "[0.5, true]") ==
           "23: bodies.water.velocity[1]: found true, expected a text in quotes");
 }

@@ -31,7 +31,7 @@ TEST_CASE("mistakes on the command line say so", "[scene][overrides]") {
         const std::string error = load_error(gate, {text});
         return error.starts_with(" ") ? error.substr(1) : error;  // "file: --set", where others have "file:line:"
     };
-    CHECK(set_error("method.spacing=-1") == "--set method.spacing: found -1, expected a number > 0");
+    CHECK(set_error("method.spacing=-1") == "--set method.spacing: found -1, expected a number > 0 [m]");
     CHECK_THAT(set_error("method.spacng=1"), StartsWith("--set method.spacng: found an unknown key, expected one of") &&
                                                  Contains("did you mean \"spacing\"?"));
     CHECK(set_error("bodies.gaet.spacing=1") ==

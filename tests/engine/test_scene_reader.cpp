@@ -101,10 +101,11 @@ TEST_CASE("files that are no scene", "[scene]") {
     CHECK_THROWS_WITH(load_scene("/tmp/no-such-scene.toml"),
                       "/tmp/no-such-scene.toml: cannot be read: No such file or directory");
     CHECK_THROWS_WITH(load_scene("/tmp"), "/tmp: found a folder, expected a scene file");
-    CHECK_THAT(load_error("title = \"a\"\ngravity = [0, -9.81\n[method]\n"), StartsWith("3:"));
+    CHECK_THAT(load_error("title = \"a\"\ngravity = [0, -9.81\n[method]\n"),
+               StartsWith("2:11: found a [ that is not closed"));
     CHECK_THAT(load_error("title = \n"), StartsWith("1:9: "));
     CHECK_THAT(load_error("a = 1\na = 2\n"), StartsWith("2:"));
-    CHECK(load_error("") == "1: method: found nothing, expected a table");
+    CHECK_THAT(load_error(""), StartsWith("1: method: found nothing, expected a table: how the scene is computed"));
     CHECK_THROWS_AS(load("title = "), SceneError);
     const File file(with(gate, "courant = 0.5", "courant = -1"));
     CHECK_THROWS_WITH(load_scene(file.path()),
@@ -125,20 +126,27 @@ TEST_CASE("unknown keys are answered with the nearest valid one", "[scene]") {
     CHECK_THAT(far, StartsWith("8: method.colour: found an unknown key, expected one of"));
     CHECK_THAT(far, !Contains("did you mean"));
     CHECK_THAT(gate_error("sound_speed = 30", "sound_speed = 30\nyoungs_modulus = 1"),
-               StartsWith("13: materials.water.youngs_modulus: found an unknown key"));
+               StartsWith("13: materials.water.youngs_modulus: found a key of materials whose kind is \"solid\""));
 }
 
 TEST_CASE("missing keys are answered with the table's line", "[scene]") {
-    CHECK(gate_error("spacing = 1e-3\n", "") == "5: method.spacing: found nothing, expected a number > 0");
-    CHECK(gate_error("end = 0.4\n", "") == "45: output.end: found nothing, expected a number > 0");
-    CHECK(gate_error("sound_speed = 30\n", "") ==
-          "9: materials.water.sound_speed: found nothing, expected a number > 0");
+    CHECK(
+        gate_error("spacing = 1e-3\n", "") ==
+        "5: method.spacing: found nothing, expected a number > 0 [m]: initial distance of particles; halved, a 2D run "
+        "takes about 8 times as long, a 3D run 16 times");
+    CHECK(gate_error("end = 0.4\n", "") ==
+          "45: output.end: found nothing, expected a number > 0 [s]: simulated time to run to");
+    CHECK(
+        gate_error("sound_speed = 30\n", "") ==
+        "9: materials.water.sound_speed: found nothing, expected a number > 0 [m/s]: ten times the fastest flow keeps "
+        "densities within 1 %; more only costs time");
     CHECK(gate_error("material = \"rubber\"\n", "") ==
-          "24: bodies.gate.material: found nothing, expected one of \"water\", \"rubber\"");
+          "24: bodies.gate.material: found nothing, expected one of \"water\", \"rubber\": a name from [materials]");
     CHECK(gate_error("body = \"gate\"\n", "") ==
-          "36: probes.free_end.body: found nothing, expected one of \"water\", \"gate\"");
+          "36: probes.free_end.body: found nothing, expected one of \"water\", \"gate\": a name from [bodies]; a "
+          "pressure without it is measured in the fluid");
     CHECK(gate_error(", max = [0.0, 0.14]", "") ==
-          "20: bodies.water.shape.box.max: found nothing, expected 2 numbers [x, y]");
+          "20: bodies.water.shape.box.max: found nothing, expected 2 numbers [x, y]: its highest corner");
 }
 
 TEST_CASE("values of the wrong type or out of range", "[scene]") {
@@ -158,7 +166,7 @@ TEST_CASE("values of the wrong type or out of range", "[scene]") {
           "8: method.solid.artificial_stress_exponent: found 9, expected a whole number from 1 to 8");
     CHECK(gate_error("courant = 0.5", "solid = { artificial_stress = -1.0 }") ==
           "8: method.solid.artificial_stress: found -1, expected a number >= 0");
-    CHECK(gate_error("courant = 0.5", "time_step = 0") == "8: method.time_step: found 0, expected a number > 0");
+    CHECK(gate_error("courant = 0.5", "time_step = 0") == "8: method.time_step: found 0, expected a number > 0 [s]");
     CHECK(gate_error("courant = 0.5", "mach_limit = 0") == "8: method.mach_limit: found 0, expected a number > 0");
     CHECK(gate_error("courant = 0.5", "solid = 3") == "8: method.solid: found 3, expected a table");
     CHECK(gate_error("title = \"elastic gate\"", "title = 1979-05-27") ==
@@ -166,14 +174,14 @@ TEST_CASE("values of the wrong type or out of range", "[scene]") {
     CHECK(gate_error("title = \"elastic gate\"", "dimension = 4") ==
           "1: dimension: found 4, expected a whole number from 2 to 3");
     CHECK(gate_error("gravity = [0.0, -9.81]", "gravity = [0.0, 0.0, -9.81]") ==
-          "2: gravity: found an array of 3 values, expected 2 numbers [x, y]");
+          "2: gravity: found [0, 0, -9.81], expected 2 numbers [x, y], or dimension = 3 at the top of the file");
     CHECK(gate_error("gravity = [0.0, -9.81]", "gravity = [0.0, \"down\"]") ==
           "2: gravity[1]: found \"down\", expected a number");
     CHECK(gate_error("gravity = [0.0, -9.81]", "gravity = -9.81") ==
           "2: gravity: found -9.81, expected 2 numbers [x, y]");
-    CHECK(gate_error("end = 0.4", "end = 0") == "46: output.end: found 0, expected a number > 0");
+    CHECK(gate_error("end = 0.4", "end = 0") == "46: output.end: found 0, expected a number > 0 [s]");
     CHECK(gate_error("frame_interval = 0.01", "frame_interval = -0.01") ==
-          "47: output.frame_interval: found -0.01, expected a number >= 0");
+          "47: output.frame_interval: found -0.01, expected a number >= 0 [s]");
 }
 
 TEST_CASE("choices and names suggest the nearest", "[scene]") {
@@ -199,11 +207,12 @@ TEST_CASE("choices and names suggest the nearest", "[scene]") {
 
 TEST_CASE("materials", "[scene]") {
     CHECK(gate_error("density = 1000.0", "density = -1000.0") ==
-          "11: materials.water.density: found -1000, expected a number > 0");
+          "11: materials.water.density: found -1000, expected a number > 0 [kg/m³]");
     CHECK(gate_error("poisson_ratio = 0.4", "poisson_ratio = 0.5") ==
           "17: materials.rubber.poisson_ratio: found 0.5, expected a number in (-1, 0.5)");
     CHECK(gate_error("poisson_ratio = 0.4\n", "") ==
-          "13: materials.rubber.poisson_ratio: found nothing, expected a number in (-1, 0.5)");
+          "13: materials.rubber.poisson_ratio: found nothing, expected a number in (-1, 0.5): rubber 0.4 to 0.49, "
+          "steel 0.3");
     CHECK(gate_error("poisson_ratio = 0.4", "bulk_modulus = 2e7") ==
           "17: materials.rubber.bulk_modulus: found it beside youngs_modulus, expected either youngs_modulus and "
           "poisson_ratio, or bulk_modulus and shear_modulus");
@@ -222,7 +231,7 @@ TEST_CASE("bodies, walls and probes refuse what does not fit them", "[scene]") {
     CHECK(gate_error("spacing_ratio = 2.0", "spacing_ratio = 2.0\nspacing = 1e-3") ==
           "21: bodies.water.spacing_ratio: found it beside spacing, expected one of the two");
     CHECK(gate_error("spacing_ratio = 2.0", "spacing = 0") ==
-          "21: bodies.water.spacing: found 0, expected a number > 0");
+          "21: bodies.water.spacing: found 0, expected a number > 0 [m]");
     CHECK(gate_error("spacing_ratio = 2.0", "clamp = { circle = { centre = [0, 0], radius = 1 } }") ==
           "21: bodies.water.clamp: found a clamp on a fluid, expected it for solids only");
     CHECK(gate_error("clamp = { box = { min = [0.0, 0.075], max = [0.005, 0.08] } }", "hydrostatic_surface = 1") ==
@@ -236,9 +245,10 @@ TEST_CASE("bodies, walls and probes refuse what does not fit them", "[scene]") {
     CHECK(gate_error("kind = \"energy\"", "kind = \"force\"\nbody = \"water\"") ==
           "45: probes.balance.body: found \"water\", a fluid, expected a solid body");
     CHECK(gate_error("at = -0.05", "at = [-0.05, 0.0]") ==
-          "42: probes.level.at: found an array of 2 values, expected a number x");
-    CHECK_THAT(gate_error("kind = \"energy\"", "kind = \"energy\"\nat = 3"),
-               StartsWith("45: probes.balance.at: found an unknown key"));
+          "42: probes.level.at: found [-0.05, 0], expected a number x");
+    CHECK_THAT(
+        gate_error("kind = \"energy\"", "kind = \"energy\"\nat = 3"),
+        StartsWith("45: probes.balance.at: found a key of probes whose kind is \"displacement\" or \"pressure\""));
     const std::string head = "method.spacing = 1\nmaterials.w = { kind = \"fluid\", density = 1, sound_speed = 1 }\n";
     CHECK(load_error(head) == "1: bodies: found nothing, expected a table of one body or more");
     CHECK(load_error(head + "[bodies]\n") == "3: bodies: found no body, expected one or more");
@@ -263,7 +273,7 @@ TEST_CASE("shapes", "[scene]") {
     CHECK(shape_error("{ box = { min = [0, 1], max = [1, 1] } }") ==
           "26: bodies.gate.shape.box.max: found y = 1, expected more than min's 1");
     CHECK(shape_error("{ circle = { centre = [0, 0], radius = 0 } }") ==
-          "26: bodies.gate.shape.circle.radius: found 0, expected a number > 0");
+          "26: bodies.gate.shape.circle.radius: found 0, expected a number > 0 [m]");
     CHECK(shape_error("{ polygon = [[0, 0], [1, 0]] }") ==
           "26: bodies.gate.shape.polygon: found a polygon of 2 vertices, expected 3 or more");
     CHECK_THAT(shape_error("{ polygon = [[0, 0], [1, 1], [1, 0], [0, 1]] }"),
@@ -274,7 +284,7 @@ TEST_CASE("shapes", "[scene]") {
     CHECK(shape_error("{ difference = [{ circle = { centre = [0, 0], radius = 1 } }] }") ==
           "26: bodies.gate.shape.difference: found 1 shapes, expected two or more: the first and what is cut from it");
     CHECK(shape_error("{ union = [{ circle = { centre = [0, 0], radius = \"a\" } }] }") ==
-          "26: bodies.gate.shape.union[0].circle.radius: found \"a\", expected a number > 0");
+          "26: bodies.gate.shape.union[0].circle.radius: found \"a\", expected a number > 0 [m]");
     // What only three dimensions have.
     CHECK(shape_error("{ sphere = { centre = [0, 0], radius = 1 } }") ==
           "26: bodies.gate.shape.sphere: found a sphere in a 2D scene, expected circle");
@@ -304,11 +314,11 @@ TEST_CASE("shapes in three dimensions", "[scene]") {
     CHECK_THAT(error("{ cilinder = {} }"), StartsWith("5: bodies.w.shape.cilinder: found an unknown key") &&
                                                Contains("did you mean \"cylinder\"?"));
     CHECK(error("{ sphere = { centre = [0, 0], radius = 1 } }") ==
-          "5: bodies.w.shape.sphere.centre: found an array of 2 values, expected 3 numbers [x, y, z]");
+          "5: bodies.w.shape.sphere.centre: found [0, 0], expected 3 numbers [x, y, z]");
     CHECK(error("{ cylinder = { from = [0, 0, 0], to = [0, 0, 0], radius = 1 } }") ==
           "5: bodies.w.shape.cylinder.to: found the same point as from's, expected the centre of the other end");
     CHECK(error("{ cylinder = { from = [0, 0, 0], to = [0, 0, 1], radius = -1 } }") ==
-          "5: bodies.w.shape.cylinder.radius: found -1, expected a number > 0");
+          "5: bodies.w.shape.cylinder.radius: found -1, expected a number > 0 [m]");
     const std::string triangle =
         "{ extrusion = { polygon = [[0, 0], [1, 0], [0, 1]], axis = \"y\", from = 2, to = 3 } }";
     const auto extrusion_error = [&](const std::string& from, const std::string& to) {
@@ -319,7 +329,7 @@ TEST_CASE("shapes in three dimensions", "[scene]") {
     CHECK(extrusion_error("\"y\"", "\"up\"") ==
           "5: bodies.w.shape.extrusion.axis: found \"up\", expected one of \"x\", \"y\", \"z\"");
     CHECK(extrusion_error("[1, 0]", "[1, 0, 0]") ==
-          "5: bodies.w.shape.extrusion.polygon[1]: found an array of 3 values, expected 2 numbers [x, z]");
+          "5: bodies.w.shape.extrusion.polygon[1]: found [1, 0, 0], expected 2 numbers [x, z]");
     CHECK(extrusion_error("[0, 1]]", "[2, 0]]") ==
           "5: bodies.w.shape.extrusion.polygon: found a polygon without area, expected vertices not on one line");
     CHECK(error("{ cylinder = { from = [0, 0, 0], to = [0, 0, 1], radius = 1 } }") == "");
