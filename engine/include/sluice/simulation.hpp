@@ -26,7 +26,8 @@ struct Energy {
 /// Asked after each step; false ends the advance.
 using GoOn = std::function<bool()>;
 
-/// Writes no files (see run.hpp for that). Not to be used from two threads at once; the loops inside are parallel.
+/// Particles and the steps that move them. Writes no files (see run.hpp for that). Not to be used from two threads at
+/// once; the loops inside are parallel.
 class SLUICE_API Simulation {
   public:
     /// Places the particles. `threads`: 0 = as many as OpenMP offers. Throws SceneError.
@@ -44,16 +45,16 @@ class SLUICE_API Simulation {
     std::vector<std::string> warnings() const;
 
     const Scene& scene() const;
-    double time() const;       ///< [s]
-    double time_step() const;  ///< of the last step; before it, of the first [s]
-    std::uint64_t steps() const;
+    double time() const;          ///< simulated so far [s]
+    double time_step() const;     ///< of the last step; before it, of the first [s]
+    std::uint64_t steps() const;  ///< taken so far
     Energy energy() const;
     std::array<double, 3> momentum() const;        ///< of all moving particles [kg m/s; kg/s in 2D]
     std::vector<std::string> probe_names() const;  ///< columns of probes.csv, with units
     std::vector<double> probe_values() const;      ///< one per name, of now
     std::size_t memory_bytes() const;              ///< of fields and neighbour lists
 
-    std::size_t particles(Medium medium) const;
+    std::size_t particles(Medium medium) const;  ///< their number
     /// Names of the fields that this scene has.
     std::vector<std::string> fields(Medium medium) const;
     /// Without copying. Throws std::out_of_range for a name that `fields` does not list.
