@@ -52,6 +52,6 @@ inside 'cd /try
     apt-get install -y -qq --no-install-recommends ./libsluice*.deb g++ make cmake >/dev/null 2>&1
     cmake -B build >/dev/null && cmake --build build >/dev/null && build/consumer dam.toml' ||
     fail "a program cannot be built against the library"
-inside 'apt-get remove -y -qq sluice python3-sluice libsluice-dev libsluice0.1 >/dev/null 2>&1; find / -xdev -name "*sluice*" -not -path "/try/*" -not -path "/var/*" -not -path "/proc/*"' >"$build/left.log"
+inside 'apt-get remove -y -qq sluice python3-sluice "libsluice*" >/dev/null 2>&1; find / -xdev -name "*sluice*" -not -path "/try/*" -not -path "/var/*" -not -path "/proc/*"' >"$build/left.log"
 [ ! -s "$build/left.log" ] || { cat "$build/left.log"; fail "files are left after removal"; }
 echo "package: all tried in a fresh Debian"

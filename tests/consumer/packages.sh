@@ -10,6 +10,7 @@ fail() { echo "packages: $*" >&2; exit 1; }
 
 (cd "$scratch" && cpack --config "$build/CPackConfig.cmake" -B "$scratch" >log 2>&1) || { cat "$scratch/log"; fail "cpack failed"; }
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:.*=//p' "$build/CMakeCache.txt")
+library=libsluice${version%.*}
 
 # has PACKAGE FIELD TEXT
 has() { dpkg-deb -f "$scratch/$1"_*.deb "$2" | grep -qF -- "$3" || fail "$1: $2 is '$(dpkg-deb -f "$scratch/$1"_*.deb "$2")', expected '$3'"; }
@@ -17,13 +18,13 @@ has() { dpkg-deb -f "$scratch/$1"_*.deb "$2" | grep -qF -- "$3" || fail "$1: $2 
 holds() { dpkg-deb --contents "$scratch/$1"_*.deb | grep -q "$2" || fail "$1 lacks $2"; }
 
 has sluice Version "$version-1"
-for library in libc6 libgomp1 libhdf5 libfmt9 libmuparser libcairo2 libcpp-httplib zlib1g; do has sluice Depends $library; done
+for needed in libc6 libgomp1 libhdf5 libfmt9 libmuparser libcairo2 libcpp-httplib zlib1g; do has sluice Depends $needed; done
 holds sluice '/usr/bin/sluice$'
 holds sluice '/usr/share/man/man1/sluice.1'
 holds sluice '/usr/share/doc/sluice/copyright$'
-has libsluice0.1 Depends libgomp1
-holds libsluice0.1 'libsluice.so.0.1'
-has libsluice-dev Depends "libsluice0.1 (= $version-1)"
+has "$library" Depends libgomp1
+holds "$library" "libsluice.so.${version%.*}"
+has libsluice-dev Depends "$library (= $version-1)"
 holds libsluice-dev '/usr/include/sluice/simulation.hpp$'
 holds libsluice-dev 'cmake/sluice/sluiceConfigVersion.cmake$'
 if [ -f "$build/python/sluice/__init__.py" ]; then
