@@ -19,27 +19,27 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME sluice)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, paraview")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "fluid against elastic structures by particles (SPH)
- sluice computes free-surface flow against elastic structures by smoothed
- particle hydrodynamics, in 2D and 3D, on all cores of a machine. A scene is a
- text file; its content decides what is simulated. Results are frames for
- ParaView, probes as CSV, and a summary with balances and costs.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "sluice computes free-surface flow against elastic structures, in 2D and 3D, on
+all cores of a machine. A scene is a text file; its content decides what is
+simulated. Results are frames for ParaView, probes as CSV, and a summary with
+balances and costs.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "fluid against elastic structures by particles - library
- sluice computes free-surface flow against elastic structures by smoothed
- particle hydrodynamics. This is its engine as a shared library.")
+# What CPack does not write by itself: who needs the library needs this package, and the loader's cache is made anew.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/shlibs
+  "libsluice ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${library} (>= ${PROJECT_VERSION})\n")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
+  ${CMAKE_CURRENT_BINARY_DIR}/shlibs ${CMAKE_CURRENT_BINARY_DIR}/triggers)
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The engine of sluice as a shared library, for programs that step a simulation
+themselves.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsluice-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "fluid against elastic structures by particles - headers
- sluice computes free-surface flow against elastic structures by smoothed
- particle hydrodynamics. These are the headers of its library, and files for
- CMake's find_package.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers of the library of sluice, and files for CMake's find_package.")
 
 if(SLUICE_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
@@ -48,22 +48,16 @@ if(SLUICE_PYTHON)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
-  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "fluid against elastic structures by particles - Python 3
- sluice computes free-surface flow against elastic structures by smoothed
- particle hydrodynamics. With this module Python steps a simulation, and sees
- its fields as NumPy arrays.")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "sluice as a Python module: scenes, whole runs, and simulations whose fields are
+NumPy arrays.")
 endif()
 
 # What each package keeps in /usr/share/doc: licence and changes.
-find_program(GZIP gzip)
 if(GZIP)
   string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # or that of SOURCE_DATE_EPOCH
   configure_file(changelog.Debian.in changelog.Debian @ONLY)
-  execute_process(COMMAND ${GZIP} -9nc changelog.Debian WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
-    OUTPUT_FILE ${CMAKE_CURRENT_BINARY_DIR}/changelog.Debian.gz)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/engine/CHANGELOG.md)
-  execute_process(COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/engine/CHANGELOG.md
-    OUTPUT_FILE ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
+  sluice_compress(${CMAKE_CURRENT_BINARY_DIR}/changelog.Debian changelog.Debian.gz)
+  sluice_compress(${PROJECT_SOURCE_DIR}/engine/CHANGELOG.md changelog.gz)
   foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     string(TOUPPER ${component} upper)
     set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
