@@ -24,6 +24,7 @@ if command -v lintian >/dev/null; then
 fi
 
 fresh=$(mktemp -d)
+chmod 755 "$fresh"
 leave() { umount "$fresh/proc" 2>/dev/null || true; rm -rf --one-file-system "$fresh"; }
 trap leave EXIT
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)
@@ -40,7 +41,7 @@ inside 'apt-get update -qq; cd /try
     apt-get install -y -qq --no-install-recommends ./sluice_*.deb ./python3-sluice_*.deb >/dev/null 2>&1 || apt-get install -y ./sluice_*.deb ./python3-sluice_*.deb'
 inside 'cd /try; sluice --version; sluice check dam.toml >/dev/null
     sluice run dam.toml -o results --until 0.05 2>/dev/null | tail -n 3
-    test -s results/frames/frame_0002.hdf; sluice view results >/dev/null; sluice render results >/dev/null
+    test -s results/frames/frame_0002.hdf; sluice view results >/dev/null; sluice render results --video none >/dev/null
     test -s /usr/share/sluice/summary.schema.json
     python3 -c "
 import sluice

@@ -18,7 +18,8 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME sluice)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, paraview")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ffmpeg)  # for the videos of `sluice render`
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS paraview)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "sluice computes free-surface flow against elastic structures, in 2D and 3D, on
 all cores of a machine. A scene is a text file; its content decides what is
 simulated. Results are frames for ParaView, probes as CSV, and a summary with
@@ -48,6 +49,9 @@ if(SLUICE_PYTHON)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  # As other Python packages: compiled when installed, and nothing left behind.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_SOURCE_DIR}/python/postinst ${CMAKE_CURRENT_SOURCE_DIR}/python/prerm)
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "sluice as a Python module: scenes, whole runs, and simulations whose fields are
 NumPy arrays.")
 endif()
