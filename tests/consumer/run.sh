@@ -19,7 +19,8 @@ nm -DC --defined-only "$library" | grep -F ' T ' | grep -vE ' T (sluice::api::|_
     fail "the library shows what is not public"
 
 cp "$here/CMakeLists.txt" "$here/main.cpp" "$scratch"
-cmake -S "$scratch" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$2" \
+generator=$(sed -n 's/^CMAKE_GENERATOR:.*=//p' "$build/CMakeCache.txt")
+cmake -S "$scratch" -B "$scratch/build" -G "$generator" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$2" \
     -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wconversion -Werror" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "is not configured"; }
 cmake --build "$scratch/build" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "is not built"; }
 "$scratch/build/consumer" "$here/dam.toml" | tee "$scratch/said"
@@ -28,6 +29,6 @@ grep -q 'did you mean "pressure"' "$scratch/said" || fail "expected a suggestion
 
 # Another minor version may have another interface.
 sed 's/sluice 0.1/sluice 0.2/' "$here/CMakeLists.txt" >"$scratch/CMakeLists.txt"
-cmake -S "$scratch" -B "$scratch/other" -DCMAKE_PREFIX_PATH="$scratch/prefix" >/dev/null 2>&1 &&
+cmake -S "$scratch" -B "$scratch/other" -G "$generator" -DCMAKE_PREFIX_PATH="$scratch/prefix" >/dev/null 2>&1 &&
     fail "version 0.2 was asked for and found"
 echo "consumer: passed"
