@@ -6,7 +6,8 @@ from pathlib import Path as _Path
 
 def _load():
     """GCC's OpenMP reads its settings once, when it is loaded. Left alone its threads spin for a millisecond at each barrier,
-    which is ruinous where another program runs too; the command sets the same."""
+    which is ruinous where another program runs too (1,500 steps of the small gate on two busy processors: 6 to 13 s
+    against 0.75 s); the command sets the same."""
     name = "GOMP_SPINCOUNT"
     ours = not any(key in _os.environ for key in (name, "OMP_WAIT_POLICY"))
     if ours:

@@ -11,7 +11,10 @@ import unittest
 from pathlib import Path
 
 import numpy
-import sluice
+
+SPIN_COUNT_BEFORE = os.environ.get("GOMP_SPINCOUNT")
+
+import sluice  # noqa: E402 - after a look at the environment
 
 SCENES = Path(sys.argv.pop())
 
@@ -56,6 +59,10 @@ class Scenes(unittest.TestCase):
             gate().fluid["presure"]
         with self.assertRaisesRegex(KeyError, "fluid: this scene has no such particles"):
             sluice.Simulation(SCENES / "breakdown.toml").fluid["pressure"]
+
+
+    def test_importing_leaves_the_environment_as_it_was(self):
+        self.assertEqual(os.environ.get("GOMP_SPINCOUNT"), SPIN_COUNT_BEFORE)
 
 
 class Views(unittest.TestCase):
