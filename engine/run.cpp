@@ -82,6 +82,7 @@ class Run {
           cpu_start_(process_cpu_seconds()),
           simulation_(scene),
           watch_(simulation_),
+          progress_(options.progress),
           frame_times_(scene.output.frame_interval),
           probe_times_(scene.output.probe_interval),
           checkpoint_times_(scene.output) {

@@ -1,6 +1,7 @@
 // A run from start to end: steps, output, and what happens when it is stopped or fails.
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ struct RunOptions {
     int threads = 0;                      ///< 0 = as many as OpenMP offers
     std::optional<double> until;          ///< simulated time to run to [s], in place of the scene's
     std::filesystem::path resume_from{};  ///< a checkpoint in the directory to go on from; empty = start anew
+    std::FILE* progress = stderr;         ///< where to tell how it goes; null = nowhere
 };
 
 struct RunStatus {

@@ -306,6 +306,22 @@ const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {
 }
 
 template <int Dim>
+std::shared_ptr<const void> Simulation<Dim>::part_with(const void* column) {
+    std::shared_ptr<const void> memory;
+    const auto look = [&](std::string_view, auto& values) {
+        using Column = std::remove_reference_t<decltype(values)>;
+        if (values.empty() || values.data() != column) return;
+        const auto parted = std::make_shared<const Column>(std::move(values));
+        values = *parted;
+        memory = parted;
+    };
+    visit_columns(impl_->state.fluid, look);
+    visit_columns(impl_->state.solid, look);
+    visit_columns(impl_->state.wall, look);
+    return memory;
+}
+
+template <int Dim>
 void Simulation<Dim>::save(const StateWriter& writer) const {
     impl_->visit_state(writer);
 }

@@ -76,6 +76,10 @@ class Simulation {
     /// Throws CheckpointError for the state of another scene; this simulation is of no use then.
     void restore(const StateReader& reader);
 
+    /// Parts with a column of the particles: its memory goes to the caller as it is, the simulation goes on with a
+    /// copy. Null if no column begins there.
+    std::shared_ptr<const void> part_with(const void* column);
+
     /// Index in solid() of the particle with this id.
     const std::vector<Index>& solid_index_of_id() const;
 

@@ -1,7 +1,7 @@
 // Instruction sets: the loops over pairs are compiled once per level, and the program takes the best that the processor
 // has when it starts.
 //
-// A source file that holds such loops is compiled with -DSLUICE_ISA=<level> and that level's flags
+// A source file that holds such loops is compiled with -DSLUICE_ISA=LEVEL and that level's flags
 // (neighbor/isa.cmake). What it defines stands in a namespace of that name, so that no function compiled for a newer
 // processor can take the place of its namesake elsewhere.
 #pragma once

@@ -36,7 +36,7 @@ constexpr std::uint64_t spread_by_3(std::uint64_t v) {
 
 }  // namespace detail
 
-/// The key of a cell; coordinates must be below 2^morton_bits<Dim>.
+/// The key of a cell; coordinates must be below 2^`morton_bits<Dim>`.
 template <int Dim>
 constexpr std::uint64_t morton_encode(const std::array<std::uint32_t, Dim>& cell) {
     std::uint64_t key = 0;

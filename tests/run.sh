@@ -7,7 +7,7 @@ build=${1:-$root/build}
 warnings_are_errors=OFF
 [ "${CI:-}" = true ] && warnings_are_errors=ON
 
-"$root/tests/install_packages.sh"
+"$root/tests/install_packages.sh" tests
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSLUICE_WERROR=$warnings_are_errors >"$build.log" 2>&1 ||
     { cat "$build.log"; rm -f "$build.log"; echo "sluice: configuration FAILED"; exit 1; }
 rm -f "$build.log"

@@ -67,7 +67,11 @@ std::string progress_bar(const ProgressState& state, int width) {
 }
 
 Progress::Progress(std::FILE* stream)
-    : stream_(stream), style_(::isatty(::fileno(stream)) ? Style::bar : Style::lines), shown_at_(Clock::now()) {}
+    : stream_(stream),
+      style_(!stream                      ? Style::none
+             : ::isatty(::fileno(stream)) ? Style::bar
+                                          : Style::lines),
+      shown_at_(Clock::now()) {}
 
 Progress::~Progress() {
     // An error message that follows starts on a line of its own.
@@ -75,6 +79,7 @@ Progress::~Progress() {
 }
 
 void Progress::update(const ProgressState& state) {
+    if (style_ == Style::none) return;
     const auto since = Clock::now() - shown_at_;
     const bool due = style_ == Style::bar ? since >= bar_interval
                                           : since >= line_interval || part_done(state) >= shown_part_ + line_part;
@@ -82,12 +87,14 @@ void Progress::update(const ProgressState& state) {
 }
 
 void Progress::note(const std::string& text) {
+    if (style_ == Style::none) return;
     std::fputs(fmt::format("{}{}\n", open_line_ ? "\r\033[K" : "", text).c_str(), stream_);
     std::fflush(stream_);
     open_line_ = false;
 }
 
 void Progress::finish(const ProgressState& state) {
+    if (style_ == Style::none) return;
     if (style_ == Style::bar || part_done(state) > shown_part_) show(state);
     if (open_line_) std::fputc('\n', stream_);
     open_line_ = false;

@@ -27,7 +27,7 @@ std::string short_number(double value);
 
 class Progress {
   public:
-    /// Writes to `stream`: a bar if that is a terminal, else lines.
+    /// Writes to `stream`: a bar if that is a terminal, else lines. Null: nothing at all.
     explicit Progress(std::FILE* stream = stderr);
     ~Progress();
     Progress(const Progress&) = delete;
@@ -41,7 +41,7 @@ class Progress {
     void finish(const ProgressState& state);
 
   private:
-    enum class Style { bar, lines };
+    enum class Style { none, bar, lines };
     using Clock = std::chrono::steady_clock;
     void show(const ProgressState& state);
 

@@ -113,10 +113,14 @@ void read_domain(TomlTable& root) {
 }
 
 Scene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
-    toml::table table = parse(read_text(path), path);
-    apply_overrides(table, overrides, path);
+    return parse_scene(read_text(path), path, overrides);
+}
+
+Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+    toml::table table = parse(text, name);
+    apply_overrides(table, overrides, name);
     Scene scene;
-    scene.file = path;
+    scene.file = name;
     scene.source = canonical_text(table);
     TomlTable root(table, scene);
     read_scene(root);

@@ -4,10 +4,10 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "engine/errors.hpp"
 #include "engine/geometry/shape.hpp"
 #include "engine/scene/reference.hpp"
 #include "kernels/density_passes.hpp"
@@ -15,12 +15,6 @@
 #include "kernels/smoothing.hpp"
 
 namespace sluice {
-
-/// What is wrong with a scene, as one readable text: `file:line: key: what was found, what was expected`.
-class SceneError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 enum class MaterialKind { fluid, solid };
 
@@ -177,5 +171,8 @@ struct Scene {
 
 /// Reads, overrides (`key.path=value`) and checks a scene. Throws SceneError.
 Scene load_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+/// The same for a text in memory. `name` stands for the file in messages; files that the scene names are sought beside
+/// it.
+Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
 
 }  // namespace sluice
