@@ -1,5 +1,6 @@
 # What man, shells and editors read: printed by the program when everything is built, installed where they look.
 include(GNUInstallDirs)
+find_program(GZIP gzip)
 
 set(shell_files "")
 # NAME: of the file; FOLDER: below the prefix; the rest: what the program is asked for.
@@ -9,7 +10,11 @@ function(sluice_shell_file name folder)
     COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/share
     COMMAND sluice_command ${ARGN} > ${file}
     DEPENDS sluice_command VERBATIM)
-  install(FILES ${file} DESTINATION ${folder})
+  if(name MATCHES "[.]1$" AND GZIP)  # manual pages are compressed, as Debian has them
+    add_custom_command(OUTPUT ${file}.gz COMMAND ${GZIP} -9nc ${file} > ${file}.gz DEPENDS ${file} VERBATIM)
+    set(file ${file}.gz)
+  endif()
+  install(FILES ${file} DESTINATION ${folder} COMPONENT program)
   set(shell_files ${shell_files} ${file} PARENT_SCOPE)
 endfunction()
 

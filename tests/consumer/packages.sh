@@ -20,7 +20,9 @@ holds() { dpkg-deb --contents "$scratch/$1"_*.deb | grep -q "$2" || fail "$1 lac
 has sluice Version "$version-1"
 for needed in libc6 libgomp1 libhdf5 libfmt9 libmuparser libcairo2 libcpp-httplib zlib1g; do has sluice Depends $needed; done
 holds sluice '/usr/bin/sluice$'
-holds sluice '/usr/share/man/man1/sluice.1'
+holds sluice '/usr/share/man/man1/sluice.1.gz$'
+holds sluice '/usr/share/bash-completion/completions/sluice$'
+holds sluice '/usr/share/sluice/sluice.schema.json$'
 holds sluice '/usr/share/doc/sluice/copyright$'
 has "$library" Depends libgomp1
 holds "$library" "libsluice.so.${version%.*}"
