@@ -34,16 +34,24 @@ struct CompiledFormula::Impl {
         scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", text, problem, names));
     }
 
-    /// One value; muParser's own complaints become scene errors.
-    double evaluate() {
+    /// What the action returns; muParser's own complaints become scene errors.
+    template <class Action>
+    auto guarded(Action&& action) const {
         try {
+            return action();
+        } catch (const mu::Parser::exception_type& error) {
+            fail(error.GetMsg());
+        }
+    }
+
+    /// One value.
+    double evaluate() {
+        return guarded([this] {
             int values = 0;
             const double* result = parser.Eval(values);
             if (values != 1) fail(fmt::format("{} values", values));
             return result[0];
-        } catch (const mu::Parser::exception_type& error) {
-            fail(error.GetMsg());
-        }
+        });
     }
 };
 
@@ -64,7 +72,7 @@ CompiledFormula::CompiledFormula(const Scene& scene, std::string key, const Form
     }
     parser.DefineConst("pi", std::numbers::pi);
     for (const auto& [name, value] : scene.constants) parser.DefineConst(name, value);
-    parser.SetExpr(text.empty() ? "0" : text);
+    impl_->guarded([&] { parser.SetExpr(text.empty() ? "0" : text); });
     impl_->evaluate();
     if (impl_->at != trial || impl_->time != trial_time) impl_->fail("an assignment (to compare, write ==)");
 }

@@ -5,16 +5,20 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "engine/scene/canonical_text.hpp"
 #include "engine/scene/formula.hpp"
+#include "engine/scene/key_parts.hpp"
 #include "engine/scene/overrides.hpp"
 #include "engine/scene/reader_parts.hpp"
+#include "engine/scene/scene_text.hpp"
 #include "engine/scene/toml_table.hpp"
 
 namespace sluice {
 namespace {
+
+/// Of a scene file: a motion of some hundred thousand rows.
+constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
 std::string read_text(const std::string& path) {
     std::error_code ignored;
@@ -22,12 +26,19 @@ std::string read_text(const std::string& path) {
         throw SceneError(fmt::format("{}: found a folder, expected a scene file", path));
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw SceneError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+    // A device or a pipe may have no end.
+    std::string text(most_bytes + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > most_bytes)
+        throw SceneError(fmt::format("{}: found more than {} MB, expected a scene file", path, most_bytes >> 20));
+    return text;
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
+    if (const int line = line_of_long_key(text))
+        throw SceneError(
+            fmt::format("{}:{}:1: found a key of more than {} parts, expected a scene's key", path, line, most_key_parts));
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
@@ -111,8 +122,8 @@ void read_domain(TomlTable& root) {
     table.finish();
 }
 
-Scene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
-    toml::table table = parse(read_text(path), path);
+Scene read_scene_text(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+    toml::table table = parse(text, path);
     apply_overrides(table, overrides, path);
     Scene scene;
     scene.file = path;
@@ -120,6 +131,10 @@ Scene load_scene(const std::string& path, const std::vector<std::string>& overri
     TomlTable root(table, scene);
     read_scene(root);
     return scene;
+}
+
+Scene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
+    return read_scene_text(read_text(path), path, overrides);
 }
 
 }  // namespace sluice

@@ -65,7 +65,8 @@ double even_step(double least) {
 
 void draw_rulers(Drawing& drawing, const Projection& to, const Layout& at, const Palette& palette) {
     const double scale = to.pixels_per_metre(), step = even_step(90 * at.unit / scale);
-    const auto [unit, factor] = shown_unit("m", at.width / scale);
+    const auto shown = shown_unit("m", at.width / scale);
+    const double factor = shown.second;  // a lambda may not capture a structured binding (Clang 14)
     const Point zero = to({0, 0, 0});
     const double size = 13 * at.unit;
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step * factor) + 1e-9)));
@@ -83,7 +84,7 @@ void draw_rulers(Drawing& drawing, const Projection& to, const Layout& at, const
         drawing.line(side, y, side - 5 * at.unit, y, palette.muted);
         drawing.text(side - 9 * at.unit, y + 4 * at.unit, label(k), size, palette.muted, TextSide::right);
     }
-    drawing.text(side - 9 * at.unit, base + 19 * at.unit, unit, size, palette.muted, TextSide::right);
+    drawing.text(side - 9 * at.unit, base + 19 * at.unit, shown.first, size, palette.muted, TextSide::right);
 }
 
 void draw_planes(Drawing& drawing, const Projection& to, const RunFolder& run, const Palette& palette) {
