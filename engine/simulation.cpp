@@ -36,13 +36,15 @@ void check_steps(const Scene& scene, const Effects& effects, const std::vector<C
         if (!scene.method.time_step) least = std::min(least, limit.dt);
     }
     if (scene.output.end / least > most_steps)
-        scene.fail("output.end", fmt::format("found {} s, which takes {:.2g} steps of {:.2g} s, expected {} at the most",
-                                             scene.output.end, scene.output.end / least, least, most_steps));
+        scene.fail("output.end",
+                   fmt::format("found {} s, which takes {:.2g} steps of {:.2g} s, expected {} at the most",
+                               scene.output.end, scene.output.end / least, least, most_steps));
     const double dt = scene.method.time_step.value_or(limits.front().dt), substeps = dt / limits.back().dt;
     if (effects.has(Effect::solid_substeps) && substeps > most_substeps)
-        scene.fail("materials." + limits.back().medium,
-                   fmt::format("found a solid that takes {:.2g} steps in each step of {:.2g} s, expected {} at the most",
-                               substeps, dt, most_substeps));
+        scene.fail(
+            "materials." + limits.back().medium,
+            fmt::format("found a solid that takes {:.2g} steps in each step of {:.2g} s, expected {} at the most",
+                        substeps, dt, most_substeps));
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ struct Simulation<Dim>::Impl {
         context.plan = planner.next(fluid.speed(), norm(state.gravity));
         const double dt = context.plan.dt, of_solid = highest_speed(state.solid);
         neighbors.expect_motion(dt * fluid.max_speed(), dt * of_solid, dt / context.plan.substeps * of_solid);
-        update_neighbors();
+        neighbors.update();
         forces();
     }
 
@@ -144,11 +146,15 @@ struct Simulation<Dim>::Impl {
 
     /// Particles that fly apart until their cells cannot be numbered are a numerical failure.
     template <class Work>
-    static auto guarded(Work&& work) {
+    auto guarded(Work&& work) const {
         try {
             return work();
         } catch (const std::length_error& error) {
-            throw NumericalError(error.what());
+            throw NumericalError(
+                fmt::format("the computation broke down: after step {} (t = {:.6g} s) {}; something drives them apart: "
+                            "pressures or "
+                            "speeds beyond what sound_speed bears, or too long a step (lower method.courant)",
+                            steps, time, error.what()));
         }
     }
 

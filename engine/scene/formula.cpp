@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/scene/excerpt.hpp"
+
 namespace sluice {
 namespace {
 
@@ -31,7 +33,7 @@ struct CompiledFormula::Impl {
                             : variable == Variable::time ? "t, pi"
                                                          : "x, y, z, t, pi";
         for (const auto& [name, value] : scene->constants) names += ", " + name;
-        scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", text, problem, names));
+        scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", excerpt(text), problem, names));
     }
 
     /// What the action returns; muParser's own complaints become scene errors.

@@ -37,8 +37,8 @@ std::string read_text(const std::string& path) {
 
 toml::table parse(const std::string& text, const std::string& path) {
     if (const int line = line_of_long_key(text))
-        throw SceneError(
-            fmt::format("{}:{}:1: found a key of more than {} parts, expected a scene's key", path, line, most_key_parts));
+        throw SceneError(fmt::format("{}:{}:1: found a key of more than {} parts, expected a scene's key", path, line,
+                                     most_key_parts));
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {

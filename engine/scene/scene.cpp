@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/scene/excerpt.hpp"
+
 namespace sluice {
 namespace {
 
@@ -18,8 +20,11 @@ void Scene::fail(const std::string& key, const std::string& message) const {
     std::string known = key;
     while (!known.empty() && !lines.contains(known)) known = parent_of(known);
     const int line = known.empty() ? 1 : lines.at(known);
-    if (line == 0) throw SceneError(fmt::format("{}: --set {}: {}", file, key, message));
-    throw SceneError(fmt::format("{}:{}: {}: {}", file, line, key, message));
+    // Keys and names may hold anything, and the text of an exception ends at a zero byte.
+    constexpr std::size_t longest = 4000;
+    const std::string shown_key = excerpt(key), shown = excerpt(message, longest);
+    if (line == 0) throw SceneError(fmt::format("{}: --set {}: {}", file, shown_key, shown));
+    throw SceneError(fmt::format("{}:{}: {}: {}", file, line, shown_key, shown));
 }
 
 }  // namespace sluice

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/scene/excerpt.hpp"
 #include "engine/scene/suggestion.hpp"
 
 namespace sluice {
@@ -67,7 +68,7 @@ std::vector<TomlValue> TomlValue::items(std::string_view expected) const {
 
 std::string TomlValue::found() const {
     if (!node_) return "nothing";
-    if (const auto* text = node_->as_string()) return fmt::format("\"{}\"", text->get());
+    if (const auto* text = node_->as_string()) return fmt::format("\"{}\"", excerpt(text->get()));
     if (const auto* integer = node_->as_integer()) return fmt::format("{}", integer->get());
     if (const auto* real = node_->as_floating_point()) return fmt::format("{}", real->get());
     if (const auto* flag = node_->as_boolean()) return flag->get() ? "true" : "false";

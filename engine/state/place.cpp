@@ -232,7 +232,8 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     for (std::size_t w = 0; w < walls.size(); ++w) place_wall(scene, w, walls[w], state);
     allocate(effects, "fluid", state.fluid.id.size(), state.fluid);
     allocate(effects, "solid", state.solid.id.size(), state.solid);
-    allocate(effects, "wall", state.wall.id.size(), state.wall);
+    // A wall that nothing meets is none.
+    allocate(effects, "wall", effects.needs("wall", "position") ? state.wall.id.size() : 0, state.wall);
     if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
     if (effects.has(Effect::no_slip_wall))
         for (std::size_t i = 0; i < state.wall.owned; ++i)

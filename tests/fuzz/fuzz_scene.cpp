@@ -15,8 +15,8 @@
 namespace sluice {
 namespace {
 
-/// Few enough for a thousand scenes in a second.
-constexpr double most_sites = 600;
+/// Few enough for some hundred scenes in a second.
+constexpr double most_sites = 200;
 
 const std::string path = "/no-such-folder/scene.toml";
 

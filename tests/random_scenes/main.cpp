@@ -33,7 +33,8 @@ int try_range(std::uint64_t first, std::uint64_t count, bool tell_all) {
                     verdict.message.c_str());
         std::fflush(stdout);
     }
-    for (std::size_t k = 0; k < outcomes.size(); ++k) std::printf("%d %s%s", outcomes[k], names[k], k < 3 ? ", " : "\n");
+    for (std::size_t k = 0; k < outcomes.size(); ++k)
+        std::printf("%d %s%s", outcomes[k], names[k], k < 3 ? ", " : "\n");
     const int failed = outcomes[static_cast<std::size_t>(Outcome::failed)];
     if (failed > 0) std::printf("replay with `random_scenes SEED`; `random_scenes --print SEED` shows the scene\n");
     return failed > 0 ? 1 : 0;

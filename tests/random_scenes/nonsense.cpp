@@ -5,10 +5,33 @@
 namespace random_scenes {
 namespace {
 
-const std::vector<std::string> values{
-    "1e308", "-1e308", "nan", "inf",  "-inf",     "-0.0",   "0",      "1e-308", "5e-324", "-1",   "1e9",
-    "1e-9",  "1e17",   "3",   "1e20", "0.000001", "\"1/x\"", "\"t/0\"", "\"\"",   "[]",     "{}",   "true",
-    "9223372036854775807", "-9223372036854775808", "9223372036854775808", "\"\\u0000\"", "1979-05-27"};
+const std::vector<std::string> values{"1e308",
+                                      "-1e308",
+                                      "nan",
+                                      "inf",
+                                      "-inf",
+                                      "-0.0",
+                                      "0",
+                                      "1e-308",
+                                      "5e-324",
+                                      "-1",
+                                      "1e9",
+                                      "1e-9",
+                                      "1e17",
+                                      "3",
+                                      "1e20",
+                                      "0.000001",
+                                      "\"1/x\"",
+                                      "\"t/0\"",
+                                      "\"\"",
+                                      "[]",
+                                      "{}",
+                                      "true",
+                                      "9223372036854775807",
+                                      "-9223372036854775808",
+                                      "9223372036854775808",
+                                      "\"\\u0000\"",
+                                      "1979-05-27"};
 
 /// Begin and length of a number that stands as a value.
 struct Piece {
@@ -55,8 +78,10 @@ std::string with_accident(std::string text, Random& random) {
         case 2:
             text.erase(line.begin, line.length);
             return text.insert(random.one_of(lines_in(text)).begin, copy);
-        case 3:
-            return text.insert(random.below(text.size()), 1, static_cast<char>(random.below(256)));
+        case 3: {
+            const std::size_t at = random.below(text.size());
+            return text.insert(at, 1, static_cast<char>(random.below(256)));
+        }
         default:
             return text.replace(number.begin, number.length, random.one_of(values));
     }

@@ -173,7 +173,8 @@ Verdict tried_here(std::uint64_t seed) {
         demand_guidance(error.what());
         return {Outcome::refused, error.what()};
     } catch (const NumericalError& error) {
-        demand(std::string(error.what()).find(';') != std::string::npos, "a breakdown without a remedy");
+        demand(std::string(error.what()).find(';') != std::string::npos,
+               "a breakdown without a remedy: " + std::string(error.what()));
         return {Outcome::broke_down, error.what()};
     }
 }
