@@ -1,9 +1,10 @@
 #!/bin/sh
 # Installs what sluice is built, tested and validated with, from Debian's own packages; skips apt if all are there.
+# Usage: tests/install_packages.sh [FURTHER_PACKAGE...]
 set -eu
 packages="g++ cmake ninja-build libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev \
 nlohmann-json3-dev libmuparser-dev zlib1g-dev libcpp-httplib-dev libcairo2-dev pkg-config catch2 \
-libbenchmark-dev python3 python3-numpy python3-matplotlib python3-h5py"
+libbenchmark-dev python3 python3-numpy python3-matplotlib python3-h5py $*"
 
 missing=""
 for package in $packages; do
