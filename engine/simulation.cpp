@@ -1,6 +1,9 @@
 #include "engine/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "engine/checkpoint/state_visitors.hpp"
@@ -19,6 +22,32 @@
 #include "engine/step/walls.hpp"
 
 namespace sluice {
+namespace {
+
+/// Numbers of materials that each may pass can make steps that come to nothing, or to no end.
+void check_steps(const Scene& scene, const Effects& effects, const std::vector<CourantLimit>& limits) {
+    constexpr double most_steps = 1e15;    // a longer time and its next step are the same number
+    constexpr double most_substeps = 1e6;  // of seconds each, for a hundred thousand particles
+    double least = scene.method.time_step.value_or(limits.front().dt);
+    for (const CourantLimit& limit : limits) {
+        if (!(limit.dt > 0) || !std::isfinite(limit.dt))
+            scene.fail("materials." + limit.medium,
+                       fmt::format("found constants that make a time step of {} s, expected a number > 0", limit.dt));
+        if (!scene.method.time_step) least = std::min(least, limit.dt);
+    }
+    if (scene.output.end / least > most_steps)
+        scene.fail("output.end",
+                   fmt::format("found {} s, which takes {:.2g} steps of {:.2g} s, expected {} at the most",
+                               scene.output.end, scene.output.end / least, least, most_steps));
+    const double dt = scene.method.time_step.value_or(limits.front().dt), substeps = dt / limits.back().dt;
+    if (effects.has(Effect::solid_substeps) && substeps > most_substeps)
+        scene.fail(
+            "materials." + limits.back().medium,
+            fmt::format("found a solid that takes {:.2g} steps in each step of {:.2g} s, expected {} at the most",
+                        substeps, dt, most_substeps));
+}
+
+}  // namespace
 
 template <int Dim>
 struct Simulation<Dim>::Impl {
@@ -41,10 +70,11 @@ struct Simulation<Dim>::Impl {
           boundary(context) {
         if (effects.has(Effect::total_lagrangian))
             limit_by_mode(scene, effects, total_lagrangian.fastest_mode(), planner.limits().back());
+        check_steps(scene, effects, planner.limits());
         context.plan = planner.next(fluid.speed(), norm(state.gravity));
         const double dt = context.plan.dt, of_solid = highest_speed(state.solid);
         neighbors.expect_motion(dt * fluid.max_speed(), dt * of_solid, dt / context.plan.substeps * of_solid);
-        update_neighbors();
+        neighbors.update();
         forces();
     }
 
@@ -117,11 +147,15 @@ struct Simulation<Dim>::Impl {
 
     /// Particles that fly apart until their cells cannot be numbered are a numerical failure.
     template <class Work>
-    static auto guarded(Work&& work) {
+    auto guarded(Work&& work) const {
         try {
             return work();
         } catch (const std::length_error& error) {
-            throw NumericalError(error.what());
+            throw NumericalError(
+                fmt::format("the computation broke down: after step {} (t = {:.6g} s) {}; something drives them apart: "
+                            "pressures or "
+                            "speeds beyond what sound_speed bears, or too long a step (lower method.courant)",
+                            steps, time, error.what()));
         }
     }
 
@@ -174,7 +208,8 @@ Simulation<Dim>::Simulation(const Scene& scene) {
     try {
         impl_ = std::make_unique<Impl>(scene);
     } catch (const std::length_error& error) {  // too far apart for the search's cells
-        throw SceneError(scene.file + ": " + error.what());
+        scene.fail("method.spacing", fmt::format("found {} m, at which {}; expected bodies and walls nearer together",
+                                                 scene.method.spacing, error.what()));
     }
 }
 template <int Dim>

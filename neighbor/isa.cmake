@@ -18,6 +18,10 @@ function(sluice_add_isa_sources target)
   endif()
   set(flags_avx2 -mavx2 -mfma)
   set(flags_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512)
+  # Checks of every pointer that address sanitizer makes as well: they would take most of a sanitized build, and of its run.
+  if(CMAKE_CXX_FLAGS MATCHES "fsanitize=[a-z,]*undefined")
+    set(flags_baseline -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
+  endif()
   # GCC 12 takes the undefined lanes in its own intrinsics for an oversight (-Wno-maybe-uninitialized).
   foreach(level IN LISTS levels)
     add_library(${target}_${level} OBJECT ${ARGN})

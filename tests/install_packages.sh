@@ -1,12 +1,16 @@
 #!/bin/sh
 # Installs what sluice is built and validated with, from Debian's own packages; skips apt if all are there. With the word
 # `tests` also what only tests need (340 MB). Not among that, as it takes longer to install than to use, and its tests are
-# skipped without: chromium, npm, python3-vtk9 (520 MB). Usage: install_packages.sh [tests]
+# skipped without: chromium, npm, python3-vtk9 (520 MB). Further words are packages. Usage: install_packages.sh [tests] [PACKAGE...]
 set -eu
 packages="g++ cmake ninja-build libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev \
 nlohmann-json3-dev libmuparser-dev zlib1g-dev libcpp-httplib-dev libcairo2-dev pkg-config catch2 \
 libbenchmark-dev python3 python3-numpy python3-matplotlib python3-h5py"
-[ "${1:-}" != tests ] || packages="$packages python3-dev pybind11-dev python3-pandas python3-jsonschema groff-base doxygen dpkg-dev"
+if [ "${1:-}" = tests ]; then
+    shift
+    packages="$packages python3-dev pybind11-dev python3-pandas python3-jsonschema groff-base doxygen dpkg-dev"
+fi
+packages="$packages $*"
 
 missing=""
 for package in $packages; do

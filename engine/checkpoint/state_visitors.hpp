@@ -104,6 +104,8 @@ class StateReader {
     static void read_list(const StateReader& reader, T& list) {
         std::uint64_t count = 0;
         reader("count", count);
+        constexpr std::uint64_t most = 1 << 20;  // lists are of bodies and walls
+        if (count > most) throw CheckpointError("the checkpoint does not fit: a list without end");
         if constexpr (detail::Resizable<T>) list.resize(count);
         if (count != list.size()) throw CheckpointError("the checkpoint does not fit: a list of another length");
         for (std::size_t k = 0; k < count; ++k) reader(std::to_string(k), list[k]);

@@ -7,6 +7,9 @@
 namespace sluice {
 namespace {
 
+/// More than any memory holds, so that sizes in bytes stay numbers.
+constexpr hssize_t most_values = hssize_t{1} << 48;
+
 void check(bool fine, std::string_view problem, const std::string& name) {
     if (!fine) throw CheckpointError(fmt::format("the checkpoint does not fit: {} {}", problem, name));
 }
@@ -52,6 +55,12 @@ std::size_t Hdf5Source::count(const std::string& name) const {
     const Hdf5Handle space = opened(H5Dget_space(set.get()), H5Sclose, name);
     const hssize_t n = H5Sget_simple_extent_npoints(space.get());
     check(n >= 0, "it has no size for", name);
+    // A size that no bytes stand behind must not be believed. (Of those in chunks, which are compressed, some.)
+    const Hdf5Handle type = opened(H5Dget_type(set.get()), H5Tclose, name);
+    const Hdf5Handle made = opened(H5Dget_create_plist(set.get()), H5Pclose, name);
+    const bool in_one_piece = H5Pget_layout(made.get()) == H5D_CONTIGUOUS;
+    const hsize_t bytes = static_cast<hsize_t>(n) * (in_one_piece ? H5Tget_size(type.get()) : 0);
+    check(n < most_values && H5Dget_storage_size(set.get()) >= bytes, "it lacks values of", name);
     return static_cast<std::size_t>(n);
 }
 

@@ -35,9 +35,11 @@ class Hdf5Source {
     }
     template <class T>
     T attribute(const std::string& name) const {
-        T value{};
+        // A byte that is neither 0 nor 1 makes no bool.
+        std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T> value{};
+        static_assert(sizeof value == sizeof(T));
         read_attribute(name, hdf5_type<T>(), &value);
-        return value;
+        return static_cast<T>(value);
     }
 
   private:

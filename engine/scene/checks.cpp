@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/particle_count.hpp"
 #include "engine/scene/memory_check.hpp"
 #include "engine/scene/overlap.hpp"
 #include "engine/scene/place.hpp"
@@ -21,16 +22,25 @@ bool is_solid(const Scene& scene, const Body& body) {
     return scene.materials[body.material].kind == MaterialKind::solid;
 }
 
-Packing pack_region(const Scene& scene, const std::string& owner, const Shape& shape, double spacing) {
+/// `room`: how many particles the memory still holds; less by those that are placed.
+Packing pack_region(const Scene& scene, const std::string& owner, const Shape& shape, double spacing, double& room) {
     // Particle numbers and lattice coordinates have 32 bits.
     constexpr double most = std::numeric_limits<std::int32_t>::max();
     const double sites = count_sites(shape, spacing, scene.dimension);
-    if (sites > most)
+    if (!(sites <= most))
         scene.fail(spacing_key(scene, owner),
                    fmt::format("found {} m, which makes {:.2g} lattice sites for {}, expected "
                                "a spacing that makes {:.2g} at the most",
                                spacing, sites, owner, most));
-    return pack(shape, spacing, scene.dimension);
+    // Placing them is what would fill the memory first.
+    if (sites > room && holds_more_than(room, shape, spacing, scene.dimension))
+        scene.fail(spacing_key(scene, owner),
+                   fmt::format("found {} m, which makes more than the {:.2g} particles for {} that fit into the free "
+                               "memory; expected {:.2g} m or more",
+                               spacing, room, owner, spacing * std::pow(sites / room, 1.0 / scene.dimension)));
+    Packing packing = pack(shape, spacing, scene.dimension);
+    room -= static_cast<double>(packing.position.size());
+    return packing;
 }
 
 void check_filled(const Scene& scene, const std::string& owner, double spacing, const Packing& packing) {
@@ -153,16 +163,19 @@ void check_displacement_probe(const Scene& scene, const Probe& probe, const std:
 
 std::vector<Packing> pack_bodies(const Scene& scene) {
     std::vector<Packing> packings;
+    double room = particles_in(available_memory(), scene.dimension);
     for (const Body& body : scene.bodies)
-        packings.push_back(pack_region(scene, key_of(body), *body.shape, body.spacing));
+        packings.push_back(pack_region(scene, key_of(body), *body.shape, body.spacing, room));
     return packings;
 }
 
 std::vector<Packing> pack_walls(const Scene& scene) {
     std::vector<Packing> packings;
+    double room = particles_in(available_memory(), scene.dimension);
     for (const Wall& wall : scene.walls)
-        packings.push_back(wall.kind == WallKind::fixed ? pack_region(scene, key_of(wall), *wall.shape, wall.spacing)
-                                                        : Packing{});
+        packings.push_back(wall.kind == WallKind::fixed
+                               ? pack_region(scene, key_of(wall), *wall.shape, wall.spacing, room)
+                               : Packing{});
     return packings;
 }
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/scene/excerpt.hpp"
+
 namespace sluice {
 namespace {
 
@@ -37,20 +39,28 @@ struct CompiledFormula::Impl {
                             : variable == Variable::time ? "t, pi"
                                                          : "x, y, z, t, pi";
         for (const auto& [name, value] : scene->constants) names += ", " + name;
-        scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", text, problem, names));
+        scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", excerpt(text), problem, names));
     }
 
-    /// One value; muParser's own complaints become scene errors.
-    double evaluate() {
+    /// What the action returns; muParser's own complaints become scene errors.
+    template <class Action>
+    auto guarded(Action&& action) const {
         try {
-            int values = 0;
-            const double* result = parser.Eval(values);
-            if (values != 1) fail(fmt::format("{} values", values));
-            return result[0];
+            return action();
         } catch (const mu::Parser::exception_type& error) {
             fail(error.GetCode() == mu::ecUNASSIGNABLE_TOKEN ? fmt::format("\"{}\" is not known", error.GetToken())
                                                              : without_end(error.GetMsg()));
         }
+    }
+
+    /// One value.
+    double evaluate() {
+        return guarded([this] {
+            int values = 0;
+            const double* result = parser.Eval(values);
+            if (values != 1) fail(fmt::format("{} values", values));
+            return result[0];
+        });
     }
 };
 
@@ -71,7 +81,7 @@ CompiledFormula::CompiledFormula(const Scene& scene, std::string key, const Form
     }
     parser.DefineConst("pi", std::numbers::pi);
     for (const auto& [name, value] : scene.constants) parser.DefineConst(name, value);
-    parser.SetExpr(text.empty() ? "0" : text);
+    impl_->guarded([&] { parser.SetExpr(text.empty() ? "0" : text); });
     impl_->evaluate();
     if (impl_->at != trial || impl_->time != trial_time) impl_->fail("an assignment (to compare, write ==)");
 }

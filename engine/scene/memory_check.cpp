@@ -38,6 +38,10 @@ double available_memory() {
     return std::min(machine, static_cast<double>(limit.rlim_cur) - kilobytes_in("/proc/self/status", "VmSize:", 0));
 }
 
+double particles_in(double bytes, int dimension) {
+    return bytes / (dimension == 2 ? bytes_per_particle_2d : bytes_per_particle_3d);
+}
+
 void check_memory(const Scene& scene, const std::vector<Packing>& bodies, const std::vector<Packing>& walls,
                   double available) {
     double particles = 0;

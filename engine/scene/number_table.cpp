@@ -62,21 +62,25 @@ std::optional<std::size_t> NumberTable::find(const std::string& name) const {
 NumberTable read_number_table(const std::filesystem::path& path) {
     std::ifstream file(path);
     if (!file) throw std::runtime_error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+    return read_number_table(file, path.string());
+}
+
+NumberTable read_number_table(std::istream& lines, const std::string& name) {
     NumberTable table;
     int number = 0;
-    for (std::string line; std::getline(file, line);) {
+    for (std::string line; std::getline(lines, line);) {
         ++number;
         if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
         const std::vector<std::string_view> cells = cells_of(line);
         if (!table.names.empty()) {
-            add_row(table, cells, fmt::format("{}:{}", path.string(), number));
+            add_row(table, cells, fmt::format("{}:{}", name, number));
             continue;
         }
         table.names.assign(cells.begin(), cells.end());
         table.columns.resize(cells.size());
     }
     if (table.names.empty())
-        throw std::runtime_error(fmt::format("{}: found no line, expected a heading and rows", path.string()));
+        throw std::runtime_error(fmt::format("{}: found no line, expected a heading and rows", name));
     return table;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,5 +20,7 @@ struct NumberTable {
 /// Reads comma-separated columns; lines that start with # are comments. Throws std::runtime_error: "PATH:LINE: found …,
 /// expected …".
 NumberTable read_number_table(const std::filesystem::path& path);
+/// The same from any lines; `name` is for messages.
+NumberTable read_number_table(std::istream& lines, const std::string& name);
 
 }  // namespace sluice

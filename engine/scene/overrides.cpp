@@ -5,6 +5,7 @@
 #include <cctype>
 #include <optional>
 
+#include "engine/scene/excerpt.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/scene_keys.hpp"
 #include "engine/scene/suggestion.hpp"
@@ -19,7 +20,7 @@ struct Override {
 };
 
 [[noreturn]] void fail(const std::string& file, const std::string& text, const std::string& message) {
-    throw SceneError(fmt::format("{}: --set {}: {}", file, text, message));
+    throw SceneError(fmt::format("{}: --set {}: {}", file, excerpt(text), excerpt(message, 4000)));
 }
 
 Override split(const std::string& text, const std::string& file) {

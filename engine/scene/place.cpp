@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/scene/excerpt.hpp"
+
 namespace sluice {
 namespace {
 
@@ -29,8 +31,11 @@ std::string located(const Scene& scene, const std::string& key, const std::strin
     std::string known = key;
     while (!known.empty() && !scene.lines.contains(known)) known = parent_of(known);
     const int line = known.empty() ? 1 : scene.lines.at(known);
-    if (line == 0) return fmt::format("{}: --set {}: {}", scene.file, key, message);
-    return fmt::format("{}:{}: {}: {}", scene.file, line, key, message);
+    // Keys and names may hold anything, and the text of an exception ends at a zero byte.
+    constexpr std::size_t longest = 4000;
+    const std::string shown_key = excerpt(key), shown = excerpt(message, longest);
+    if (line == 0) return fmt::format("{}: --set {}: {}", scene.file, shown_key, shown);
+    return fmt::format("{}:{}: {}: {}", scene.file, line, shown_key, shown);
 }
 
 std::string spacing_key(const Scene& scene, const std::string& owner) {

@@ -5,10 +5,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "engine/scene/canonical_text.hpp"
 #include "engine/scene/formula.hpp"
+#include "engine/scene/key_parts.hpp"
 #include "engine/scene/overrides.hpp"
 #include "engine/scene/reader_parts.hpp"
 #include "engine/scene/syntax_error.hpp"
@@ -17,18 +17,29 @@
 namespace sluice {
 namespace {
 
+/// Of a scene file: a motion of some hundred thousand rows.
+constexpr std::size_t most_bytes = std::size_t{32} << 20;
+
 std::string read_text(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         throw SceneError(fmt::format("{}: found a folder, expected a scene file", path));
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw SceneError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+    std::string text, piece(1 << 16, '\0');
+    while (stream && text.size() <= most_bytes) {  // a device or a pipe may have no end
+        stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+    }
+    if (text.size() > most_bytes)
+        throw SceneError(fmt::format("{}: found more than {} MB, expected a scene file", path, most_bytes >> 20));
+    return text;
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
+    if (const int line = line_of_long_key(text))
+        throw SceneError(fmt::format("{}:{}:1: found a key of more than {} parts, expected a scene's key", path, line,
+                                     most_key_parts));
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {

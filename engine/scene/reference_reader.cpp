@@ -44,10 +44,18 @@ double mean_of_row(const NumberTable& table, const std::vector<std::size_t>& col
     return sum / count;
 }
 
+/// A scene and its tables travel together, and a scene from elsewhere must not read what else there is.
+std::filesystem::path path_beside_scene(const TomlValue& value) {
+    const std::filesystem::path path = value.text(), normal = path.lexically_normal();
+    if (path.empty() || path.is_absolute() || *normal.begin() == "..")
+        value.reject("a path that starts at the scene's folder and stays in it");
+    return std::filesystem::path(value.scene().file).parent_path() / path;
+}
+
 NumberTable read_file(const TomlValue& value) {
-    const std::filesystem::path beside = std::filesystem::path(value.scene().file).parent_path();
+    const std::filesystem::path path = path_beside_scene(value);
     try {
-        return read_number_table(beside / value.text());
+        return read_number_table(path);
     } catch (const std::runtime_error& error) {
         value.fail(error.what());
     }

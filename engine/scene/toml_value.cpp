@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/scene/excerpt.hpp"
 #include "engine/scene/suggestion.hpp"
 
 namespace sluice {
@@ -114,7 +115,7 @@ std::string TomlValue::expected() const { return is_item_ ? "a number" : expecte
 
 std::string TomlValue::found() const {
     if (!node_) return "nothing";
-    if (const auto* text = node_->as_string()) return fmt::format("\"{}\"", text->get());
+    if (const auto* text = node_->as_string()) return fmt::format("\"{}\"", excerpt(text->get()));
     if (const auto* integer = node_->as_integer()) return fmt::format("{}", integer->get());
     if (const auto* real = node_->as_floating_point()) return fmt::format("{}", real->get());
     if (const auto* flag = node_->as_boolean()) return flag->get() ? "true" : "false";

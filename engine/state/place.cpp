@@ -163,10 +163,16 @@ void place_interface(const Scene& scene, const std::vector<Packing>& packings, S
 }
 
 /// Which of a body's particles have an empty lattice site within `range` of them: only those can come near a fluid.
+template <int Dim>
 std::vector<bool> near_surface(const Packing& packing, double range) {
     const SiteIndex lattice(packing.site);
+    // Beside a body of much coarser particles the range may be many times the lattice: what is beyond it is empty.
+    Site size{};
+    for (const Site& s : packing.site)
+        for (std::size_t k = 0; k < 3; ++k) size[k] = std::max(size[k], s[k] + 1);
     Site reach{};
-    for (std::size_t k = 0; k < 3; ++k) reach[k] = static_cast<std::int32_t>(range / packing.spacing[k]);
+    for (std::size_t k = 0; k < Dim; ++k)
+        reach[k] = static_cast<std::int32_t>(std::min<double>(range / packing.spacing[k], size[k]));
     std::vector<bool> near(packing.site.size());
     for (std::size_t i = 0; i < near.size(); ++i) {
         const Site& s = packing.site[i];
@@ -190,7 +196,7 @@ void place_boundary(const Scene& scene, const Effects& effects, const std::vecto
     Index id = 0;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
-        const std::vector<bool> near = near_surface(packings[b], support * state.max_h);
+        const std::vector<bool> near = near_surface<Dim>(packings[b], support * state.max_h);
         for (std::size_t i = 0; i < near.size(); ++i, ++id) {
             if (!near[i]) continue;
             boundary.solid.push_back(id);
@@ -226,7 +232,8 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     for (std::size_t w = 0; w < walls.size(); ++w) place_wall(scene, w, walls[w], state);
     allocate(effects, "fluid", state.fluid.id.size(), state.fluid);
     allocate(effects, "solid", state.solid.id.size(), state.solid);
-    allocate(effects, "wall", state.wall.id.size(), state.wall);
+    // A wall that nothing meets is none.
+    allocate(effects, "wall", effects.needs("wall", "position") ? state.wall.id.size() : 0, state.wall);
     if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
     if (effects.has(Effect::no_slip_wall))
         for (std::size_t i = 0; i < state.wall.owned; ++i)

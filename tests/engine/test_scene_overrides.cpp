@@ -47,7 +47,7 @@ TEST_CASE("mistakes on the command line say so", "[scene][overrides]") {
     CHECK(set_error("gravity=[0, 1") == "--set gravity=[0, 1: found \"[0, 1\", expected a TOML value or a word");
     CHECK(set_error("method.spacing=") == "--set method.spacing=: found \"\", expected a TOML value or a word");
     CHECK(set_error("title=1\ndimension=3") ==
-          "--set title=1\ndimension=3: found \"1\ndimension=3\", expected a TOML value or a word");
+          "--set title=1\\x0adimension=3: found \"1\\x0adimension=3\", expected a TOML value or a word");
     CHECK(set_error("bodies.gate.shape={box={min=[0,0],max=[0,1]}}") ==
           "--set bodies.gate.shape.box.max: found x = 0, expected more than min's 0");
 }

@@ -80,7 +80,8 @@ TEST_CASE("an extrusion is its polygon along each axis", "[shape]") {
     for (const std::size_t axis : {0u, 1u, 2u}) {
         CAPTURE(axis);
         const auto prism = make_extrusion(triangle, axis, {3, 4});
-        const auto [u, v] = axes_across(axis);
+        const auto across = axes_across(axis);
+        const std::size_t u = across[0], v = across[1];  // a lambda may not capture a structured binding (Clang 14)
         CHECK(u < v);
         const auto at = [&](double first, double second, double along) {
             Point p{};
