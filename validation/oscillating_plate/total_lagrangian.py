@@ -109,14 +109,14 @@ def settings(series, across):
 
 
 def clamp_on_column(plate, across):
-    """The last held column stands on x = 0, and the last cell ends at x = L: a column more or less half a spacing, so
+    """A column stands on the clamp's surface, x = 0, and the last cell ends at x = L: a column more or less half a spacing, so
     that the spacing along the plate is H/across (1 - H/(2 L across))."""
     along = round(plate.length * across / HEIGHT)
     spacing = plate.length / (along + 0.5)
     return {"method.spacing": f"{spacing:.12g}",
             "bodies.plate.shape.box.min": f"[{-(across + 0.5) * spacing:.12g}, {-HEIGHT / 2}]",
             "bodies.plate.clamp.box.min": f"[{-(across + 0.5) * spacing:.12g}, {-HEIGHT / 2}]",
-            "bodies.plate.clamp.box.max": f"[{0.5 * spacing:.12g}, {HEIGHT / 2}]"}
+            "bodies.plate.clamp.box.max": f"[0.0, {HEIGHT / 2}]"}
 
 
 def measure(run, series, across):
