@@ -1,9 +1,12 @@
 #include "engine/step/step_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "engine/effects.hpp"
+#include "engine/errors.hpp"
 #include "engine/state/state.hpp"
 
 namespace sluice {
@@ -66,6 +69,11 @@ StepPlan StepPlanner::next(double speed, double acceleration) {
     const double solid = share_ * limits_.back().dt, least = std::min(fluid, solid);
     double dt = stated_ > 0 ? share_ * stated_ : multi_rate_ ? fluid : least;
     if (adaptive_ && last_ > 0) dt = std::min(dt, 1.1 * last_);
+    if (!std::isfinite(dt))
+        throw NumericalError(fmt::format(
+            "found no time step: the fastest particle moves at {:.3g} m/s and is accelerated by {:.3g} m/s2; look for "
+            "a pressure, a density or a hydrostatic_surface of the scene that is beyond reason",
+            speed, acceleration));
     last_ = dt;
     if (!multi_rate_) return {dt};
     const int substeps = std::max(1, static_cast<int>(std::ceil(dt / solid * (1 - 1e-12))));
