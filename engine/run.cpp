@@ -241,6 +241,7 @@ class Run {
             const Stopwatch watch(record_.output_seconds);
             if (probe_written_ != simulation_.time()) write_probes();
             if (frames_ && frame_written_ != simulation_.time()) write_frame();
+            writer_.finish();  // what is told of the time that a run took includes it
         }
         update_summary();
         progress_.finish(progress_state());

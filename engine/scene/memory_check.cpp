@@ -14,7 +14,7 @@ namespace sluice {
 namespace {
 
 /// Columns, lists and cells of a particle, as gates and dam breaks take them, the least of them [bytes].
-constexpr double bytes_per_particle_2d = 250, bytes_per_particle_3d = 600;
+double bytes_per_particle(int dimension) { return dimension == 2 ? 250 : 600; }
 
 /// A line of /proc/meminfo or /proc/self/status in bytes; `otherwise` if there is none.
 double kilobytes_in(const char* file, const std::string& name, double otherwise) {
@@ -38,16 +38,14 @@ double available_memory() {
     return std::min(machine, static_cast<double>(limit.rlim_cur) - kilobytes_in("/proc/self/status", "VmSize:", 0));
 }
 
-double particles_in(double bytes, int dimension) {
-    return bytes / (dimension == 2 ? bytes_per_particle_2d : bytes_per_particle_3d);
-}
+double particles_in(double bytes, int dimension) { return bytes / bytes_per_particle(dimension); }
 
 void check_memory(const Scene& scene, const std::vector<Packing>& bodies, const std::vector<Packing>& walls,
                   double available) {
     double particles = 0;
     for (const auto* packings : {&bodies, &walls})
         for (const Packing& packing : *packings) particles += static_cast<double>(packing.position.size());
-    const double needed = particles * (scene.dimension == 2 ? bytes_per_particle_2d : bytes_per_particle_3d);
+    const double needed = particles * bytes_per_particle(scene.dimension);
     if (needed <= available) return;
     // The spacing at which there are as many particles fewer as there is too little memory.
     const double enough = scene.method.spacing * std::pow(needed / available, 1.0 / scene.dimension);

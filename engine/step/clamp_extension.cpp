@@ -99,7 +99,10 @@ ClampExtension<Dim>::ClampExtension(const Scene& scene, SolidPhase<Dim>& solid, 
         share_[i] = clamp_of(i) ? share_outside<Dim>(*clamp_of(i), solid.position[i], side) : 1;
     });
     Array<std::uint8_t> elastic(n), followers(n), reached(n), near(n), twice_as_near(n);
-    for (std::size_t i = 0; i < n; ++i) followers[i] = solid.clamped[i] || share_[i]<1, elastic[i] = share_[i]> 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        followers[i] = solid.clamped[i] || share_[i] < 1;
+        elastic[i] = share_[i] > 0;
+    }
     list.mark_candidates(elastic, reached);
     list.mark_candidates(followers, near);
     list.mark_candidates(near, twice_as_near);  // what lies a support deep has its image as far out

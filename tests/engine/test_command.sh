@@ -3,16 +3,8 @@
 program=$1
 scenes=$2
 topics=$(CDPATH='' cd -- "$(dirname -- "$0")/../../engine/command/topics" && pwd)
-work=$(mktemp -d) || exit 1
+. "$(dirname -- "$0")/scratch.sh"
 trap 'umount "$work/disk" 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-# A failure is told and counted.
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
 
 # expect CODE TEXT COMMAND…: the command must return CODE and print TEXT on either stream.
 expect() {

@@ -1,15 +1,7 @@
 #!/bin/sh
 # Scenes to start from: written, accepted, run for a moment. Usage: test_new.sh PROGRAM
 program=$1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
+. "$(dirname -- "$0")/scratch.sh"
 
 # refuses TEXT COMMAND…: bad input, and the text on stderr.
 refuses() {

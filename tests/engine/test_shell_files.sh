@@ -2,15 +2,7 @@
 # Completions and manual page, as shells and groff read them. Usage: test_shell_files.sh PROGRAM
 # What zsh, fish and groff would do is left out, with a word, where they are not installed.
 program=$1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
+. "$(dirname -- "$0")/scratch.sh"
 
 mkdir runs && touch scene.toml notes.txt page.html
 "$program" completion bash >bash || fail "no completion for bash"

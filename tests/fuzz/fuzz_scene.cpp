@@ -9,6 +9,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/simulation.hpp"
 #include "engine/watch/watch.hpp"
+#include "tests/engine/lattice_sites.hpp"
 #include "tests/fuzz/demand.hpp"
 
 namespace sluice {
@@ -18,14 +19,6 @@ namespace {
 constexpr double most_sites = 200;
 
 const std::string path = "/no-such-folder/scene.toml";
-
-double sites_of(const Scene& scene) {
-    double sites = 0;
-    for (const Body& body : scene.bodies) sites += count_sites(*body.shape, body.spacing, scene.dimension);
-    for (const Wall& wall : scene.walls)
-        if (wall.kind == WallKind::fixed) sites += count_sites(*wall.shape, wall.spacing, scene.dimension);
-    return sites;
-}
 
 void demand_place(const std::string& message) {
     const std::size_t digit = path.size() + 1;
@@ -52,7 +45,7 @@ void read(const std::string& text) {
     try {
         const Scene scene = parse_scene(text, path);
         demand_same_again(scene);
-        if (!(sites_of(scene) <= most_sites)) return;
+        if (!(lattice_sites(scene) <= most_sites)) return;
         if (scene.dimension == 2)
             simulate<2>(scene);
         else

@@ -21,6 +21,7 @@
 #include "engine/simulation.hpp"
 #include "engine/state/visit.hpp"
 #include "engine/watch/watch.hpp"
+#include "tests/engine/lattice_sites.hpp"
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/random_scenes/generator.hpp"
 
@@ -58,14 +59,6 @@ struct Broken : std::runtime_error {
 
 void demand(bool holds, const std::string& what) {
     if (!holds) throw Broken(what);
-}
-
-double sites_of(const Scene& scene) {
-    double sites = 0;
-    for (const Body& body : scene.bodies) sites += count_sites(*body.shape, body.spacing, scene.dimension);
-    for (const Wall& wall : scene.walls)
-        if (wall.kind == WallKind::fixed) sites += count_sites(*wall.shape, wall.spacing, scene.dimension);
-    return sites;
 }
 
 template <class Phase>
@@ -159,7 +152,7 @@ Verdict tried_here(std::uint64_t seed) {
     try {
         const Scene scene = parse_scene(make_scene(seed).text, file);
         demand(parse_scene(scene.source, file).source == scene.source, "its own text reads as another scene");
-        if (!(sites_of(scene) <= most_sites)) {
+        if (!(lattice_sites(scene) <= most_sites)) {
             check_geometry(scene, pack_bodies(scene), pack_walls(scene));
             return {Outcome::ran, "too large to run here"};
         }

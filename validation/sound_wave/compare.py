@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs the wave of sound at three spacings, and once with the paper's scheme: frequency and damping."""
+"""Runs the wave of sound at three spacings with the modern preset, also with density diffusion, and with the paper's."""
 import sys
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from lib.case import Errors, Figure, Result, Table  # noqa: E402
 from lib.markdown import number  # noqa: E402
 from lib.run_output import FLUID  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
+from lib.waves import damped_oscillation  # noqa: E402
 
 K, C, ALPHA = 2 * np.pi, 1.0, 0.5
 H = 1.3                # h/d
@@ -55,23 +56,10 @@ def amplitudes(run):
     return np.array(time), np.array(share)
 
 
-def fit(time, value, gamma):
-    """(omega, gamma) of exp(-gamma t)(a cos + b sin), by Gauss and Newton."""
-    omega = K * C
-    for _ in range(30):
-        envelope, c, s = np.exp(-gamma * time), np.cos(omega * time), np.sin(omega * time)
-        a, b = np.linalg.lstsq(np.stack([envelope * c, envelope * s], axis=1), value, rcond=None)[0]
-        model = envelope * (a * c + b * s)
-        jacobian = np.stack([envelope * c, envelope * s, time * envelope * (b * c - a * s), -time * model], axis=1)
-        step = np.linalg.lstsq(jacobian, value - model, rcond=None)[0]
-        omega, gamma = omega + step[2], gamma + step[3]
-    return omega, gamma
-
-
 def measure(run, count, smoothing_function):
     time, value = amplitudes(run)
     exact = damping(count)
-    omega, gamma = fit(time, value, exact)
+    omega, gamma = damped_oscillation(time, value, K * C, exact)
     ratio = np.hypot(omega, gamma) / (K * C)  # of the wave without damping
     return {"frequency": ratio / on_lattice(smoothing_function, count) - 1, "frequency / c k": ratio,
             "damping": gamma / exact - 1, "CPU [s]": run.summary["cpu_seconds"]}

@@ -10,6 +10,7 @@ sys.path.insert(0, str(FOLDER.parent))
 
 from lib import case, convergence, style  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
+from lib.waves import damped_oscillation  # noqa: E402
 
 G, K, DEPTH, NU = 9.81, 2 * np.pi, 0.5, 0.002
 
@@ -49,22 +50,9 @@ def amplitudes(run):
     return np.array(time), np.array(share)
 
 
-def fit(time, value):
-    """(ω, γ) of value = e^(−γt) (a cos ωt + b sin ωt), least squares by Gauss and Newton from the exact ω and γ."""
-    omega, gamma = OMEGA, DAMPING
-    for _ in range(20):
-        envelope, c, s = np.exp(-gamma * time), np.cos(omega * time), np.sin(omega * time)
-        a, b = np.linalg.lstsq(np.stack([envelope * c, envelope * s], axis=1), value, rcond=None)[0]
-        model = envelope * (a * c + b * s)
-        jacobian = np.stack([envelope * c, envelope * s, time * envelope * (b * c - a * s), -time * model], axis=1)
-        step = np.linalg.lstsq(jacobian, value - model, rcond=None)[0]
-        omega, gamma = omega + step[2], gamma + step[3]
-    return omega, gamma
-
-
 def measure(run):
     time, share = amplitudes(run)
-    omega, gamma = fit(time, share)
+    omega, gamma = damped_oscillation(time, share, OMEGA, DAMPING)
     exact = np.exp(-DAMPING * time) * np.cos(OMEGA * time) * share[0]
     return {
         "period": abs(OMEGA / omega - 1),
