@@ -335,6 +335,17 @@ const std::array<EffectRow, effect_count> table{{
          return s.method.multi_rate ? Decision{Verdict::used, "method.time_stepping"}
                                     : Decision{Verdict::unused, "method.time_stepping = \"single-rate\""};
      }},
+    {{Effect::steady_load, "steady_load", "time: the steady part of the load acts within the solid's steps",
+      "engine/step/steady_load.hpp", "solid.steady_acceleration",
+      "on if water meets total-Lagrangian solids that go at their own rate",
+      "f̄^n = f̄^(n−1) + (f^n − f̄^(n−1))/32 all the time, ½Δt (f^n − f̄^n) and ½Δt (f^(n+1) − f̄^n) as impulses"},
+     [](const Scene& s, const SceneContent& c) {
+         if (!c.fluid || !c.solid) return Decision{Verdict::impossible, "one medium"};
+         if (!c.total_lagrangian) return Decision{Verdict::impossible, "the solids are hypoelastic"};
+         if (!s.method.multi_rate || is_switched_off(s, "solid_substeps"))
+             return Decision{Verdict::impossible, "the solid has no steps of its own"};
+         return Decision{Verdict::used, fmt::format("load of {} on {}", c.fluids, c.solids)};
+     }},
 }};
 
 }  // namespace

@@ -43,8 +43,9 @@ enum class Effect {
     variable_resolution,
     adaptive_step,
     solid_substeps,
+    steady_load,
 };
-inline constexpr std::size_t effect_count = 31;
+inline constexpr std::size_t effect_count = 32;
 
 /// One row of the table.
 struct EffectInfo {

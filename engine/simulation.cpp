@@ -18,6 +18,7 @@
 #include "engine/step/hypoelastic_solid.hpp"
 #include "engine/step/interface_coupling.hpp"
 #include "engine/step/particle_shifting.hpp"
+#include "engine/step/steady_load.hpp"
 #include "engine/step/total_lagrangian_solid.hpp"
 #include "engine/step/walls.hpp"
 
@@ -76,6 +77,7 @@ struct Simulation<Dim>::Impl {
         neighbors.expect_motion(dt * fluid.max_speed(), dt * of_solid, dt / context.plan.substeps * of_solid);
         neighbors.update();
         forces();
+        begin_steady_load(context);
     }
 
     /// Velocities at n ± 1/2, everything else at n. Rates of density are taken half-way, at the positions that belong
@@ -86,9 +88,10 @@ struct Simulation<Dim>::Impl {
     ///
     /// With more than one sub-step the solid goes through the step at its own rate: a hypoelastic one under the fluid's
     /// force of time n, a total-Lagrangian one under half of that step's impulse before it and half of the next one's
-    /// after it; the fluid's continuity then sees the solid's mean velocity over the step, at its place half-way. So
-    /// both sides exchange the same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs
-    /// to the motion that the fluid sees. With one sub-step and staggered Euler this is the paper's scheme.
+    /// after it, less what is steady in them, which acts all the time (engine/step/steady_load.hpp); the fluid's
+    /// continuity then sees the solid's mean velocity over the step, at its place half-way. So both sides exchange the
+    /// same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs to the motion that the
+    /// fluid sees. With one sub-step and staggered Euler this is the paper's scheme.
     void step() {
         const double before = context.plan.dt;
         if (steps > 0) context.plan = planner.next(fluid.speed(), fluid.acceleration());
@@ -134,6 +137,7 @@ struct Simulation<Dim>::Impl {
         return guarded([&] {
             if (effects.has(Effect::solid_stress)) return hypoelastic.advance();
             if (effects.has(Effect::total_lagrangian)) {
+                follow_steady_load(context);
                 total_lagrangian.push(0.5 * context.plan.dt);
                 return total_lagrangian.advance();
             }

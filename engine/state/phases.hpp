@@ -59,6 +59,7 @@ struct SolidPhase : PhaseBase<Dim> {
     // Only if it meets a fluid: the fluid's force, constant over a step, and the motion over the step that it goes
     // with.
     VectorField<Dim> interface_acceleration;  ///< [m/s²]
+    VectorField<Dim> steady_acceleration;     ///< what is steady in it (engine/step/steady_load.hpp) [m/s²]
     VectorField<Dim> halfway_position;        ///< (x^n + x^(n+1))/2; x^n while the step is under way [m]
     VectorField<Dim> mean_velocity;           ///< (x^(n+1) − x^n)/Δt [m/s]
     VectorField<Dim> mean_acceleration;       ///< (v^(n+1) − v^n)/Δt, if it is the fluid's moving boundary [m/s²]

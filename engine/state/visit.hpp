@@ -49,6 +49,7 @@ void visit_columns(SolidPhase<Dim>& p, F&& f) {
     detail::visit_tuple("velocity_gradient", p.velocity_gradient, f);
     detail::visit_tuple("velocity_correction", p.velocity_correction, f);
     detail::visit_tuple("interface_acceleration", p.interface_acceleration, f);
+    detail::visit_tuple("steady_acceleration", p.steady_acceleration, f);
     detail::visit_tuple("halfway_position", p.halfway_position, f);
     detail::visit_tuple("mean_velocity", p.mean_velocity, f);
     detail::visit_tuple("mean_acceleration", p.mean_acceleration, f);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/step/context.hpp"
+#include "engine/step/steady_load.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -30,11 +31,12 @@ void end_solid_motion(StepContext<Dim>& c) {
         solid.mean_velocity.set(i, (1 / c.plan.dt) * (after - before));
     });
     if (!c.has(Effect::moving_boundary)) return;
-    // A total-Lagrangian solid is pushed by the fluid before and after its own steps, not in them.
-    const bool pushed = c.has(Effect::total_lagrangian);
+    // A total-Lagrangian solid is pushed by the fluid before and after its own steps; in them only a steady load acts.
+    const bool pushed = c.has(Effect::total_lagrangian), loaded = bears_steady_load(c);
     parallel_for(solid.owned, [&](std::size_t i) {
         Vec<Dim> mean = (1 / c.plan.dt) * (solid.velocity[i] - solid.mean_acceleration[i]);
         if (pushed && !solid.clamped[i]) mean += solid.interface_acceleration[i];
+        if (loaded && !solid.clamped[i]) mean -= solid.steady_acceleration[i];
         solid.mean_acceleration.set(i, mean);
     });
 }

@@ -5,6 +5,7 @@
 
 #include "engine/step/largest_eigenvalue.hpp"
 #include "engine/step/solid_motion.hpp"
+#include "engine/step/steady_load.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -65,8 +66,12 @@ void TotalLagrangianSolid<Dim>::kick() {
     auto& solid = c_.state.solid;
     const Vec<Dim> gravity = c_.state.gravity;
     const double half = 0.5 * dt();
+    const bool loaded = bears_steady_load(c_);
     parallel_for(solid.owned, [&](std::size_t i) {
-        if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + half * (solid.acceleration[i] + gravity));
+        if (solid.clamped[i]) return;
+        Vec<Dim> acceleration = solid.acceleration[i] + gravity;
+        if (loaded) acceleration += solid.steady_acceleration[i];
+        solid.velocity.set(i, solid.velocity[i] + half * acceleration);
     });
 }
 
@@ -75,8 +80,12 @@ void TotalLagrangianSolid<Dim>::push(double interval) {
     if (!is_coupled(c_)) return;
     const auto scope = c_.timer.measure(StepPhase::update);
     auto& solid = c_.state.solid;
+    const bool loaded = bears_steady_load(c_);
     parallel_for(solid.owned, [&](std::size_t i) {
-        if (!solid.clamped[i]) solid.velocity.set(i, solid.velocity[i] + interval * solid.interface_acceleration[i]);
+        if (solid.clamped[i]) return;
+        Vec<Dim> impulse = solid.interface_acceleration[i];
+        if (loaded) impulse -= solid.steady_acceleration[i];
+        solid.velocity.set(i, solid.velocity[i] + interval * impulse);
     });
 }
 

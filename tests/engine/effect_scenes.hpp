@@ -88,6 +88,7 @@ inline std::vector<Case> cases() {
         by_content(Effect::variable_resolution, water + second_water, water),
         by_key(Effect::adaptive_step, water, "method.step_size", "adaptive", "fixed"),
         by_key(Effect::solid_substeps, both, "method.time_stepping", "multi-rate", "single-rate"),
+        by_key(Effect::steady_load, both, "method.time_stepping", "multi-rate", "single-rate", {total_lagrangian}),
     };
 }
 

@@ -110,7 +110,8 @@ TEST_CASE("A scene of both holds the columns of its coupling") {
     const std::string coupling = "method.coupling=moving-boundary";
     CHECK(allocated(both, with({coupling})) == fluid + hypoelastic + boundary);
     CHECK(allocated(both, with({coupling, reference})) == fluid + total_lagrangian + boundary);
-    CHECK(allocated(both, {"method.preset=modern"}) == fluid + shifting + total_lagrangian + boundary);
+    CHECK(allocated(both, {"method.preset=modern"}) ==
+          fluid + shifting + total_lagrangian + boundary + of("solid", "steady_acceleration"));
 }
 
 }  // namespace sluice
