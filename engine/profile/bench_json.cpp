@@ -30,6 +30,7 @@ Json to_json(const MachineLimits& machine) {
 Json to_json(const ThreadBench& bench) {
     return {{"threads", bench.profile.threads},
             {"steps", bench.profile.steps},
+            {"interrupted_steps", bench.interrupted},
             {"seconds", bench.profile.seconds},
             {"steps_per_second", bench.steps_per_second()},
             {"particle_updates_per_second", bench.updates_per_second()}};

@@ -15,7 +15,7 @@ using Kind = ProfileRow::Kind;
 /// Rows below this part of a step are left out of the table; loops below the second, of the verdicts.
 constexpr double least_share = 0.005, least_verdict = 0.03;
 
-constexpr const char* layout = "{:<27}{:>10}{:>10}{:>9}{:>7}{:>10}{:>8}{:>9}{:>9}{:>10}  {}\n";
+constexpr const char* layout = "{:<27}{:>10}{:>11}{:>8}{:>7}{:>9}{:>9}{:>10}{:>11}{:>9}{:>9}  {}\n";
 
 std::string percent(double part) { return part > 0 ? fmt::format("{:.0f} %", 100 * part) : ""; }
 
@@ -58,9 +58,11 @@ std::string row_text(const ProfileRow& row, const SceneBench& b, const Effects& 
     const double per_step = 1e3 / static_cast<double>(all.steps);
     const double gain = efficiency(row, b);
     const double one = gain * all.threads * row.seconds * per_step;
-    std::string pairs, intensity, arithmetic, bandwidth;
+    std::string pairs, intensity, alone, arithmetic, bandwidth;
     if (row.kind == Kind::loop && row.work.pairs > 0) {
         const Roof roof = roof_of(row, b, all.threads);
+        const ProfileRow* of_one = find_row(b.one.profile, row);
+        alone = of_one ? percent(roof_of(*of_one, b, 1).arithmetic) : "";
         pairs = short_number(row.per_core(static_cast<double>(row.work.pairs)));
         intensity = fmt::format("{:.1f}", roof.intensity);
         arithmetic = percent(roof.arithmetic);
@@ -69,16 +71,17 @@ std::string row_text(const ProfileRow& row, const SceneBench& b, const Effects& 
     const bool inner = row.kind == Kind::loop || !row.phase.empty();
     return fmt::format(layout, (inner ? "  " : "") + row.name, fmt::format("{:.3f}", one),
                        fmt::format("{:.3f}", row.seconds * per_step), percent(row.seconds / all.seconds), percent(gain),
-                       pairs, intensity, arithmetic, bandwidth, percent(row.waiting()),
+                       pairs, intensity, alone, arithmetic, bandwidth, percent(row.waiting()),
                        keys_text(row.effects, effects));
 }
 
 std::string table_text(const SceneBench& b, const Effects& effects) {
     const Profile& all = b.all.profile;
     const std::string threads = all.threads > 1 ? fmt::format("{} threads", all.threads) : "again";
-    std::string text = fmt::format(layout, "phase, loops over pairs", "1 thread", threads, "of step", "gain", "pairs/s",
-                                   "op/byte", "of peak", "of band-", "threads", "effects");
-    text += fmt::format(layout, "", "[ms/step]", "[ms/step]", "", "", "per core", "", "arithm.", "width", "wait", "");
+    std::string text = fmt::format(layout, "phase, loops over pairs", "1 thread", threads, "of a", "gain", "pairs/s",
+                                   "op/byte", "of peak,", "of peak,", "of band-", "threads", "effects");
+    text += fmt::format(layout, "", "[ms/step]", "[ms/step]", "step", "", "per core", "", "1 thread", threads, "width",
+                        "wait", "");
     for (const ProfileRow& row : all.rows)
         if (row.seconds > least_share * all.seconds) text += row_text(row, b, effects);
     return text;
@@ -113,16 +116,23 @@ std::string verdicts_text(const SceneBench& b) {
                        100 * in_loops / all.seconds);
 }
 
+std::string interruption_text(const SceneBench& b) {
+    const std::uint64_t interrupted = b.one.interrupted + (b.machine.threads > 1 ? b.all.interrupted : 0);
+    if (interrupted == 0) return "";
+    return fmt::format("; other programs interrupted {} more, which are left out", interrupted);
+}
+
 }  // namespace
 
 std::string bench_text(const SceneBench& b, const Scene& scene, const Effects& effects) {
     std::string text = fmt::format("{}: {}\n{}\n", scene.file, scene.title, home_text(b));
     text += machine_text(b) + "\n" + speed_text(b) + "\n" + table_text(b, effects) + "\n" + verdicts_text(b);
-    return text + fmt::format(
-                      "\n{} and {} steps, from the scene's start to {:.3g} s; operations are counted by the loops "
-                      "themselves, on all\n"
-                      "pairs that they go over; bytes as if each were moved once. `sluice help profiling` says more.\n",
-                      b.one.profile.steps, b.all.profile.steps, b.simulated);
+    return text +
+           fmt::format(
+               "\n{} steps on one thread, {} on all, from the scene's start to {:.3g} s{}\n"
+               "Operations are counted by the loops themselves, on all pairs that they go over; bytes as if each "
+               "were moved\nonce. `sluice help profiling` says more.\n",
+               b.one.profile.steps, b.all.profile.steps, b.simulated, interruption_text(b));
 }
 
 }  // namespace sluice

@@ -1,9 +1,10 @@
 #include "engine/profile/machine_limits.hpp"
 
 #include <omp.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "engine/profile/roofline_loops.hpp"
@@ -16,10 +17,22 @@ namespace {
 
 constexpr int tries = 5;
 
-/// As the C library tells; a guess where it does not.
-std::size_t cache_bytes(int name, std::size_t otherwise) {
-    const long bytes = ::sysconf(name);
-    return bytes > 0 ? static_cast<std::size_t>(bytes) : otherwise;
+/// Of the first core's data or unified cache of a level, as Linux tells it ("1024K"); a guess where it does not. The C
+/// library's sysconf() tells the last-level cache of a whole processor, of which a core may see a tenth.
+std::size_t cache_bytes(int level, std::size_t otherwise) {
+    for (int index = 0; index < 8; ++index) {
+        const std::string folder = "/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
+        const auto read = [&](const char* name, auto& value) {
+            return static_cast<bool>(std::ifstream(folder + name) >> value);
+        };
+        int its_level = 0;
+        std::string type;
+        std::size_t kilobytes = 0;
+        if (read("level", its_level) && its_level == level && read("type", type) && type != "Instruction" &&
+            read("size", kilobytes))
+            return kilobytes << 10;
+    }
+    return otherwise;
 }
 
 /// `work` is done by each thread at the same time; it returns what it has done.
@@ -89,8 +102,8 @@ const MemoryLevel& MachineLimits::level_of(double bytes, int on_threads) const {
 
 MachineLimits measure_machine(int threads) {
     MachineLimits m{active_isa(), threads, arithmetic<float>(threads), arithmetic<double>(threads), {}};
-    const std::size_t l2 = cache_bytes(_SC_LEVEL2_CACHE_SIZE, std::size_t{1} << 20);
-    const std::size_t last = std::max(cache_bytes(_SC_LEVEL3_CACHE_SIZE, 0), l2);
+    const std::size_t l2 = cache_bytes(2, std::size_t{1} << 20);
+    const std::size_t last = std::max(cache_bytes(3, 0), l2);
     // Each array four times the last-level cache [McCalpin1995], within reason; half of a cache, so that all stays in
     // it.
     const std::size_t far = 3 * std::clamp(4 * last, std::size_t{64} << 20, std::size_t{256} << 20);

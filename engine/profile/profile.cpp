@@ -118,6 +118,12 @@ std::vector<Effect> effects_at(const Effects& effects, std::string_view phase, s
     return found;
 }
 
+const ProfileRow* find_row(const Profile& profile, const ProfileRow& like) {
+    for (const ProfileRow& row : profile.rows)
+        if (row.kind == like.kind && row.name == like.name && row.phase == like.phase) return &row;
+    return nullptr;
+}
+
 Profile profile_of(const StepProfile& recorded, const Effects& effects) {
     const Entries entries = recorded.entries();
     Profile profile;

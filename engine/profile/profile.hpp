@@ -52,6 +52,9 @@ struct Profile {
 
 Profile profile_of(const StepProfile& recorded, const Effects& effects);
 
+/// The same phase, loop or rest in another profile; null if it did not run there.
+const ProfileRow* find_row(const Profile& profile, const ProfileRow& like);
+
 /// Effects that are on and have a part in this loop of this phase; with no loop: in the rest of the phase.
 std::vector<Effect> effects_at(const Effects& effects, std::string_view phase, std::string_view loop);
 

@@ -14,7 +14,7 @@ using Kind = ProfileRow::Kind;
 
 /// Shares below this would show as 0.0 %.
 constexpr double least_share = 0.0005;
-constexpr const char* layout = "{:<27}{:>9}{:>8}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>8}  {}\n";
+constexpr const char* layout = "{:<27}{:>9}{:>8}{:>8}{:>7}{:>7}{:>10}{:>10}{:>7}{:>7}  {}\n";
 
 std::string percent(double part) { return fmt::format("{:.1f} %", 100 * part); }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <omp.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,30 +18,54 @@ namespace {
 constexpr int turns = 6;
 /// Particle shifting, the most seldom of what is done every few steps, is done every fourth at the most.
 constexpr int step_cycle = 4;
+/// Enough to tell something by; where other programs interrupt all but a few steps, those that they do interrupt count.
+constexpr std::uint64_t fewest_steps = 20;
 
 double seconds_since(Nanoseconds start) { return 1e-9 * static_cast<double>(clock_now() - start); }
 
-/// Steps for about so many seconds on so many threads.
-template <int Dim>
-void take_turn(Simulation<Dim>& simulation, StepProfile& profile, double seconds, double& particle_steps) {
-    const ThreadCount count(profile.threads());
-    simulation.step();  // brings the data to the cores that will use them
-    const std::uint64_t before = simulation.work().particle_steps;
-    const Nanoseconds start = clock_now();
-    do
-        for (int s = 0; s < step_cycle; ++s) {
-            const StepProfile::Step step(&profile, simulation.work().steps, simulation.time());
-            simulation.step();
-        }
-    while (seconds_since(start) < seconds);
-    particle_steps += static_cast<double>(simulation.work().particle_steps - before);
+/// How often the system has taken a processor from one of this program's threads.
+long interruptions() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_nivcsw;
 }
 
-const ProfileRow* find_row(const Profile& profile, const ProfileRow& like) {
-    for (const ProfileRow& row : profile.rows)
-        if (row.kind == like.kind && row.name == like.name && row.phase == like.phase) return &row;
-    return nullptr;
-}
+/// Steps on one number of threads.
+template <int Dim>
+struct Timing {
+    StepProfile profile;
+    double particle_steps = 0;
+    std::uint64_t interrupted = 0;
+
+    /// Steps for about so many seconds. One that another program interrupted tells nothing of the scene: it is left
+    /// out, unless all must count.
+    void take_turn(Simulation<Dim>& simulation, double seconds, bool all_count) {
+        const ThreadCount count(profile.threads());
+        simulation.step();  // brings the data to the cores that will use them
+        const Nanoseconds start = clock_now();
+        do
+            for (int s = 0; s < step_cycle; ++s) {
+                const StepProfile kept = profile;
+                const std::uint64_t before = simulation.work().particle_steps;
+                const long interruptions_before = interruptions();
+                {
+                    const StepProfile::Step step(&profile, simulation.work().steps, simulation.time());
+                    simulation.step();
+                }
+                const bool calm = interruptions() == interruptions_before;
+                if (!calm) ++interrupted;
+                if (calm || all_count)
+                    particle_steps += static_cast<double>(simulation.work().particle_steps - before);
+                else
+                    profile = kept;
+            }
+        while (seconds_since(start) < seconds);
+    }
+
+    ThreadBench result(const Effects& effects) const {
+        return {profile_of(profile, effects), particle_steps, interrupted};
+    }
+};
 
 }  // namespace
 
@@ -51,19 +76,17 @@ SceneBench bench_scene(const Scene& scene, double seconds) {
     Simulation<Dim> simulation(scene);
     SceneBench bench{measure_machine(threads), {}, {}, 0, 0, 0, 0, 0};
     for (int s = 0; s < step_cycle; ++s) simulation.step();
-    StepProfile one(1), all(threads);
+    Timing<Dim> one{StepProfile(1)}, all{StepProfile(threads)};
     for (int n = 0; n < turns; ++n) {
         const double left = (seconds - seconds_since(start)) / (turns - n);
-        if (n > 0 && left < 0) break;
-        take_turn(simulation, one, threads > 1 ? left / 2 : left, bench.one.particle_steps);
-        if (threads > 1) take_turn(simulation, all, left / 2, bench.all.particle_steps);
+        const bool last = n + 1 == turns || left < 0;
+        one.take_turn(simulation, threads > 1 ? left / 2 : left, last && one.profile.steps() < fewest_steps);
+        if (threads > 1) all.take_turn(simulation, left / 2, last && all.profile.steps() < fewest_steps);
+        if (last) break;
     }
     check_state(simulation);
-    bench.one.profile = profile_of(one, simulation.effects());
-    if (threads > 1)
-        bench.all.profile = profile_of(all, simulation.effects());
-    else
-        bench.all = bench.one;
+    bench.one = one.result(simulation.effects());
+    bench.all = threads > 1 ? all.result(simulation.effects()) : bench.one;
     bench.field_bytes = static_cast<double>(simulation.memory_bytes());
     bench.fluid = static_cast<double>(simulation.fluid().owned);
     bench.solid = static_cast<double>(simulation.solid().owned);

@@ -13,6 +13,7 @@ namespace sluice {
 struct ThreadBench {
     Profile profile;
     double particle_steps = 0;
+    std::uint64_t interrupted = 0;  ///< steps that other programs interrupted
 
     double steps_per_second() const { return static_cast<double>(profile.steps) / profile.seconds; }
     double updates_per_second() const { return particle_steps / profile.seconds; }
