@@ -127,6 +127,8 @@ std::string interruption_text(const SceneBench& b) {
 std::string bench_text(const SceneBench& b, const Scene& scene, const Effects& effects) {
     std::string text = fmt::format("{}: {}\n{}\n", scene.file, scene.title, home_text(b));
     text += machine_text(b) + "\n" + speed_text(b) + "\n" + table_text(b, effects) + "\n" + verdicts_text(b);
+    if (b.load > 1)
+        text += fmt::format("\nother programs ran: load average {:.1f}; threads wait longer while they do\n", b.load);
     return text +
            fmt::format(
                "\n{} steps on one thread, {} on all, from the scene's start to {:.3g} s{}\n"

@@ -15,7 +15,7 @@ struct Limit {
 
 /// A cache, or the main memory behind the last of them.
 struct MemoryLevel {
-    const char* name;
+    const char* name = "";
     std::size_t bytes = 0;  ///< that it holds: a core's own, or all cores' together; 0 = no bound
     bool shared = true;     ///< by all cores
     Limit bandwidth;        ///< of triad [B/s]
@@ -26,7 +26,7 @@ struct MemoryLevel {
 /// [Williams2009] "Roofline: an insightful visual performance model": what a loop can reach at most is the smaller of
 /// the arithmetic peak, and of the bandwidth times the operations that it does for each byte.
 struct MachineLimits {
-    Isa isa;  ///< the arithmetic's
+    Isa isa = Isa::baseline;  ///< the arithmetic's
     int threads = 1;
     Limit single_precision, double_precision;  ///< multiplications and additions, fused where the level can [1/s]
     std::array<MemoryLevel, 3> memory;         ///< second-level cache, last-level cache, main memory

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "engine/simulation.hpp"
 #include "engine/thread_count.hpp"
@@ -74,7 +75,9 @@ SceneBench bench_scene(const Scene& scene, double seconds) {
     const Nanoseconds start = clock_now();
     const int threads = omp_get_max_threads();
     Simulation<Dim> simulation(scene);
-    SceneBench bench{measure_machine(threads), {}, {}, 0, 0, 0, 0, 0};
+    SceneBench bench;
+    if (::getloadavg(&bench.load, 1) != 1) bench.load = 0;  // not known
+    bench.machine = measure_machine(threads);
     for (int s = 0; s < step_cycle; ++s) simulation.step();
     Timing<Dim> one{StepProfile(1)}, all{StepProfile(threads)};
     for (int n = 0; n < turns; ++n) {

@@ -25,6 +25,7 @@ struct SceneBench {
     double field_bytes = 0;                 ///< particles and lists: what a step goes through
     double fluid = 0, solid = 0, wall = 0;  ///< particles
     double simulated = 0;                   ///< reached [s]
+    double load = 0;                        ///< programs that the machine ran or kept waiting, in the minute before
 };
 
 /// How a loop over pairs stands against the machine.

@@ -54,7 +54,8 @@ class EventText {
     }
     std::string_view name(int thread, const Event& event) const {
         if (event.kind == Kind::wait) return "wait for other threads";
-        return thread == 0 && event.kind == Kind::share ? "share of the loop" : name_[event.entry];
+        if (thread == 0 && event.kind == Kind::share) return "share of the loop";
+        return name_[event.entry];
     }
     std::string_view category(const Event& event) const {
         constexpr std::string_view others[] = {"", "share", "wait"};
