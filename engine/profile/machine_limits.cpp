@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/profile/roofline_loops.hpp"
+#include "engine/profile/step_profile.hpp"
 #include "engine/thread_count.hpp"
 #include "neighbor/fields.hpp"
 #include "neighbor/loop_watch.hpp"
@@ -15,7 +16,7 @@
 namespace sluice {
 namespace {
 
-constexpr int tries = 5;
+constexpr int tries = 5, patience = 20;
 
 /// Of the first core's data or unified cache of a level, as Linux tells it ("1024K"); a guess where it does not. The C
 /// library's sysconf() tells the last-level cache of a whole processor, of which a core may see a tenth.
@@ -35,12 +36,15 @@ std::size_t cache_bytes(int level, std::size_t otherwise) {
     return otherwise;
 }
 
+/// The highest of several rates that nothing interrupted, if there are so many before the patience ends.
+///
 /// `work` is done by each thread at the same time; it returns what it has done.
 template <class Work>
 double best_rate(int threads, Work work) {
     const ThreadCount count(threads);
     double best = 0;
-    for (int n = 0; n < tries; ++n) {
+    for (int n = 0, calm = 0; n < patience && calm < tries; ++n) {
+        const long interruptions_before = interruptions();
         double done = 0;
         Nanoseconds start = 0;
 #pragma omp parallel reduction(+ : done)
@@ -51,6 +55,7 @@ double best_rate(int threads, Work work) {
             done = static_cast<double>(work());
         }
         best = std::max(best, 1e9 * done / static_cast<double>(clock_now() - start));
+        if (interruptions() == interruptions_before) ++calm;
     }
     return best;
 }
@@ -58,7 +63,9 @@ double best_rate(int threads, Work work) {
 template <class Work>
 Limit limit_of(int threads, const Work& work_on) {
     const double one = best_rate(1, work_on(1));
-    return {one, threads > 1 ? best_rate(threads, work_on(threads)) : one};
+    if (threads == 1) return {one, one};
+    const double all = best_rate(threads, work_on(threads));
+    return {std::max(one, all / threads), all};  // one alone is at least as fast as one of several
 }
 
 template <class Number>

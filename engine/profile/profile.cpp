@@ -129,6 +129,7 @@ Profile profile_of(const StepProfile& recorded, const Effects& effects) {
     Profile profile;
     profile.threads = recorded.threads();
     profile.steps = recorded.steps();
+    profile.interrupted = recorded.interrupted();
     profile.seconds = seconds_of(entries.front().wall);
     std::vector<std::vector<ProfileRow>> phases;
     for (std::size_t e = 1; e < entries.size(); ++e)

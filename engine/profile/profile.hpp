@@ -44,6 +44,7 @@ struct Profile {
     int threads = 1;
     std::uint64_t steps = 0;
     double seconds = 0;            ///< wall time of the steps
+    long interrupted = 0;          ///< how often the system took a processor from one of the threads
     double memory_bytes = 0;       ///< of particles and lists; set by the caller
     double particles = 0;          ///< those that move; set by the caller
     std::vector<ProfileRow> rows;  ///< phases, longest first, each with its loops and its rest behind it

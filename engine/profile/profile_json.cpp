@@ -54,6 +54,7 @@ std::string profile_json(const Profile& profile, const Effects& effects, const T
     json["threads"] = profile.threads;
     json["steps"] = profile.steps;
     json["seconds"] = profile.seconds;
+    json["interruptions"] = profile.interrupted;
     json["particles"] = profile.particles;
     json["memory_bytes"] = profile.memory_bytes;
     json["phases"] = json["loops"] = json["rests"] = json["effects"] = Json::array();

@@ -65,6 +65,11 @@ std::string profile_text(const Profile& p, const Effects& effects) {
     text += fmt::format(layout, "", "", "", "step", "mean", "", "per core", "particle", "", "", "");
     for (const ProfileRow& row : p.rows)
         if (row.seconds > least_share * p.seconds) text += row_text(p, row, effects);
+    // More often than the system's own housekeeping does.
+    if (static_cast<double>(p.interrupted) > 20 * p.seconds)
+        text +=
+            fmt::format("\nother programs took a processor away {} times: what they did counts as work or as waiting\n",
+                        p.interrupted);
     text += fmt::format("\n{:<24}{:>9}{:>9}  {}\n", "effect", "alone", "shared", "where, with which others");
     for (const EffectTime& time : p.effects) text += effect_text(p, time, effects);
     text +=

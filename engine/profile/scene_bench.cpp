@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,13 +22,6 @@ constexpr int step_cycle = 4;
 constexpr std::uint64_t fewest_steps = 20;
 
 double seconds_since(Nanoseconds start) { return 1e-9 * static_cast<double>(clock_now() - start); }
-
-/// How often the system has taken a processor from one of this program's threads.
-long interruptions() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_nivcsw;
-}
 
 /// Steps on one number of threads.
 template <int Dim>
@@ -116,16 +108,24 @@ double efficiency(const ProfileRow& row, const SceneBench& bench) {
 }
 
 std::string verdict(const ProfileRow& row, const SceneBench& bench) {
-    // Below this a loop does neither long enough to be bound by it: what it waits for, or how it begins, counts more.
+    // Below this a loop does neither long enough to be bound by it: how it begins and ends counts more.
     constexpr double bound = 0.2, idle = 0.3;
-    const Roof roof = roof_of(row, bench, bench.all.profile.threads);
+    const int threads = bench.all.profile.threads;
+    const ProfileRow* of_one = find_row(bench.one.profile, row);
+    const Roof roof = of_one ? roof_of(*of_one, bench, 1) : roof_of(row, bench, threads);
     const bool computes = roof.arithmetic >= roof.bandwidth;
-    const MemoryLevel& level = bench.machine.level_of(bench.field_bytes, bench.all.profile.threads);
-    const std::string share = fmt::format("{:.0f} % of {}", 100 * roof.of_roof(),
-                                          computes ? "the arithmetic peak" : std::string(level.name) + " bandwidth");
-    if (row.waiting() > idle) return fmt::format("{}, threads wait {:.0f} % of it", share, 100 * row.waiting());
-    if (roof.of_roof() < bound) return share + ", bound by neither: latency, short loops";
-    return share + (computes ? ", compute-bound" : ", memory-bound");
+    const MemoryLevel& level = bench.machine.level_of(bench.field_bytes, of_one ? 1 : threads);
+    const std::string limit = computes ? "arithmetic peak" : std::string(level.name) + " bandwidth";
+    std::string text = fmt::format("{:.0f} % of the {}, ", 100 * roof.of_roof(), limit);
+    text += roof.of_roof() < bound ? "bound by neither: short or irregular"
+            : computes             ? "compute-bound"
+                                   : "memory-bound";
+    if (!of_one || threads == 1) return text;
+    const Roof together = roof_of(row, bench, threads);
+    text +=
+        fmt::format("; on {} threads {:.0f} %", threads, 100 * (computes ? together.arithmetic : together.bandwidth));
+    if (row.waiting() > idle) text += fmt::format(", they wait {:.0f} % of it", 100 * row.waiting());
+    return text;
 }
 
 template SceneBench bench_scene<2>(const Scene&, double);

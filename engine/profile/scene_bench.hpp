@@ -43,7 +43,7 @@ Roof roof_of(const ProfileRow& row, const SceneBench& bench, int threads);
 /// 0 = the row is missing from one of them.
 double efficiency(const ProfileRow& row, const SceneBench& bench);
 
-/// "61 % of the arithmetic peak, compute-bound"
+/// "61 % of the arithmetic peak, compute-bound; on 2 threads 57 %": what bounds it is judged on one thread.
 std::string verdict(const ProfileRow& row, const SceneBench& bench);
 
 /// Takes steps of the scene on one thread and on all, in turns, for about so many seconds. It starts as the scene does.

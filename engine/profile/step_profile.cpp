@@ -1,11 +1,19 @@
 #include "engine/profile/step_profile.hpp"
 
+#include <sys/resource.h>
+
 namespace sluice {
 namespace {
 
 using Kind = TraceRecorder::Kind;
 
 }  // namespace
+
+long interruptions() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_nivcsw;
+}
 
 StepProfile::StepProfile(int threads, const TracePlan& plan)
     : lanes_(static_cast<std::size_t>(threads)), trace_(threads, plan) {

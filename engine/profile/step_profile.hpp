@@ -9,6 +9,9 @@
 
 namespace sluice {
 
+/// How often the system has taken a processor from one of this program's threads.
+long interruptions();
+
 class StepProfile final : public LoopWatch {
   public:
     /// One kind of section at one place in the step, summed over all its calls.
@@ -47,6 +50,8 @@ class StepProfile final : public LoopWatch {
 
     int threads() const { return static_cast<int>(lanes_.size()); }
     std::uint64_t steps() const { return places_.front().calls; }
+    /// Since this was made.
+    long interrupted() const { return interruptions() - interruptions_before_; }
     /// The step first, then what is in it; busy times filled in.
     std::vector<Entry> entries() const;
     const TraceRecorder& trace() const { return trace_; }
@@ -73,6 +78,7 @@ class StepProfile final : public LoopWatch {
     std::vector<Place> places_;
     std::vector<Lane> lanes_;
     TraceRecorder trace_;
+    long interruptions_before_ = interruptions();
     std::size_t current_ = 0;
     Nanoseconds share_end_ = 0;  ///< of the first thread's share of the loop in hand
     bool tracing_ = false;

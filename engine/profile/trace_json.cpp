@@ -73,6 +73,26 @@ class EventText {
     std::vector<Nanoseconds> shift_;                        ///< by step: what is taken off the clock
 };
 
+/// As viewers nest them: what contains others in front of them, and each strictly within what contains it. An event
+/// that ends when the next one begins would count as containing it, by a rounding error of the viewer's: so each ends a
+/// nanosecond early.
+std::vector<Event> nested(std::vector<Event> events) {
+    std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+        if (a.begin != b.begin) return a.begin < b.begin;
+        if (a.end != b.end) return a.end > b.end;
+        return a.kind != b.kind ? a.kind < b.kind : a.entry < b.entry;
+    });
+    std::vector<Nanoseconds> ends;
+    for (Event& event : events) {
+        while (!ends.empty() && ends.back() < event.begin) ends.pop_back();
+        --event.end;
+        if (!ends.empty()) event.end = std::min(event.end, ends.back() - 1);
+        event.end = std::max(event.end, event.begin);
+        ends.push_back(event.end);
+    }
+    return events;
+}
+
 std::string name_of_row(const char* what, int thread, const std::string& name) {
     return fmt::format(R"({{"name":"{}","ph":"M","pid":1,"tid":{},"args":{{"name":{}}}}})", what, thread,
                        nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -86,17 +106,8 @@ std::string trace_json(const StepProfile& recorded, const Effects& effects, cons
     for (int t = 0; t < trace.threads(); ++t)
         text += ",\n" + name_of_row("thread_name", t, fmt::format("thread {}{}", t, t == 0 ? ", takes the steps" : ""));
     const EventText text_of(recorded, effects);
-    for (int t = 0; t < trace.threads(); ++t) {
-        std::vector<Event> events = trace.events(t);
-        // As viewers nest them: what contains others in front of them.
-        std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-            return a.begin != b.begin ? a.begin < b.begin
-                   : a.end != b.end   ? a.end > b.end
-                   : a.kind != b.kind ? a.kind < b.kind
-                                      : a.entry < b.entry;
-        });
-        for (const Event& event : events) text += ",\n" + text_of(t, event);
-    }
+    for (int t = 0; t < trace.threads(); ++t)
+        for (const Event& event : nested(trace.events(t))) text += ",\n" + text_of(t, event);
     return text + "\n]}\n";
 }
 
