@@ -24,9 +24,8 @@ std::uint64_t multiply_add(std::uint64_t rounds) {
     return rounds * accumulators * Real::lanes * 2;
 }
 
-std::uint64_t triad(double* a, const double* b, const double* c, std::size_t n) {
+std::uint64_t triad(double* __restrict a, const double* __restrict b, const double* __restrict c, std::size_t n) {
     constexpr double s = 3;
-#pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
     return 3 * sizeof(double) * n;
 }

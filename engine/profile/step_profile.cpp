@@ -60,8 +60,10 @@ void StepProfile::enter(const Section& section) {
 }
 
 void StepProfile::leave(const PairWork& work) {
-    const Nanoseconds now = clock_now();
     Place& place = places_[current_];
+    // A loop is left when its team has come together: the clock was read just then.
+    const bool is_loop = place.section->number_bytes > 0;
+    const Nanoseconds now = is_loop && joined_at_ > place.entered ? joined_at_ : clock_now();
     ++place.calls;
     place.wall += now - place.entered;
     place.work += work;
@@ -77,6 +79,7 @@ void StepProfile::worked(int thread, Nanoseconds begin, Nanoseconds end) {
 }
 
 void StepProfile::joined(Nanoseconds at) {
+    joined_at_ = at;
     places_[current_].waited += at - share_end_;
     if (tracing_) trace_.add(0, {Kind::wait, static_cast<std::uint32_t>(current_), share_end_, at});
 }

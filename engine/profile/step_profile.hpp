@@ -81,6 +81,7 @@ class StepProfile final : public LoopWatch {
     long interruptions_before_ = interruptions();
     std::size_t current_ = 0;
     Nanoseconds share_end_ = 0;  ///< of the first thread's share of the loop in hand
+    Nanoseconds joined_at_ = 0;
     bool tracing_ = false;
 };
 

@@ -40,10 +40,14 @@ class EventText {
     std::string operator()(int thread, const Event& event) const {
         const std::size_t step = step_of(event);
         const Nanoseconds begin = event.begin - shift_[step];
-        return fmt::format(
-            R"({{"name":"{}","cat":"{}","ph":"X","ts":{:.3f},"dur":{:.3f},"pid":1,"tid":{},"args":{{{}}}}})",
-            name(thread, event), category(event), micro(begin), micro(event.end - event.begin), thread,
-            arguments(event, step));
+        std::string text =
+            fmt::format(R"({{"name":"{}","cat":"{}","ph":"X","ts":{:.3f},"dur":{:.3f},"pid":1,"tid":{})",
+                        name(thread, event), category(event), micro(begin), micro(event.end - event.begin), thread);
+        const bool is_section = event.kind == Kind::section;
+        if (is_section && !arguments_[event.entry].empty())
+            text += fmt::format(R"(,"args":{{{}}})", arguments_[event.entry]);
+        text += "}";
+        return is_section && event.entry == 0 ? text + ",\n" + mark(steps_[step], begin) : text;
     }
 
   private:
@@ -61,11 +65,11 @@ class EventText {
         constexpr std::string_view others[] = {"", "share", "wait"};
         return event.kind == Kind::section ? category_[event.entry] : others[static_cast<std::size_t>(event.kind)];
     }
-    std::string arguments(const Event& event, std::size_t step) const {
-        if (event.kind == Kind::section && event.entry == 0)
-            return fmt::format(R"("step":{},"time [s]":{:.9g},"begin [us]":{:.3f})", steps_[step].number,
-                               steps_[step].time, micro(event.begin - steps_.front().begin));
-        return event.kind == Kind::section ? arguments_[event.entry] : "";
+    /// Which step it is, at its beginning. Not as an argument of the step: flame graphs add up what is called the same.
+    std::string mark(const TraceRecorder::Step& step, Nanoseconds begin) const {
+        return fmt::format(
+            R"({{"name":"step {}","ph":"i","s":"t","ts":{:.3f},"pid":1,"tid":0,"args":{{"step":{},"time [s]":{:.9g},"begin [us]":{:.3f}}}}})",
+            step.number, micro(begin), step.number, step.time, micro(step.begin - steps_.front().begin));
     }
 
     const std::vector<TraceRecorder::Step>& steps_;

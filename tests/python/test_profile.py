@@ -58,15 +58,18 @@ def check_effects(profile, summary):
 def check_trace(trace, profile, summary):
     """Complete events, in order and nested on each thread; steps one behind the other on the first."""
     known = {p["name"] for p in profile["phases"] + profile["loops"]} | {"step", "share of the loop", "wait for other threads"}
-    rows = {t: [] for t in range(profile["threads"])}
+    rows, marks = {t: [] for t in range(profile["threads"])}, []
     names = [e for e in trace["traceEvents"] if e["ph"] == "M"]
     assert len(names) == 1 + profile["threads"]
     for event in trace["traceEvents"]:
         if event["ph"] == "M":
             continue
+        if event["ph"] == "i":
+            marks.append(event)
+            continue
         assert event["ph"] == "X" and event["pid"] == 1 and event["dur"] >= 0 and event["ts"] >= 0, event
         assert event["name"] in known, event
-        assert set(event["args"].get("effects", "").split(" + ")) - {""} <= set(summary["effects"]), event
+        assert set(event.get("args", {}).get("effects", "").split(" + ")) - {""} <= set(summary["effects"]), event
         rows[event["tid"]].append(event)
     for events in rows.values():
         open_until = []
@@ -82,7 +85,8 @@ def check_trace(trace, profile, summary):
             open_until.append(end)
     steps = [e for e in rows[0] if e["name"] == "step"]
     assert len(steps) == profile["trace"]["steps"], len(steps)
-    numbers = [s["args"]["step"] for s in steps]
+    assert [m["ts"] for m in marks] == [s["ts"] for s in steps]
+    numbers = [m["args"]["step"] for m in marks]
     assert numbers == sorted(set(numbers)), numbers
     for before, after in zip(steps, steps[1:]):
         assert before["ts"] + before["dur"] <= after["ts"]
