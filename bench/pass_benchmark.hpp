@@ -8,7 +8,6 @@
 
 #include "bench/counters.hpp"
 #include "bench/lattice.hpp"
-#include "bench/operations.hpp"
 #include "bench/roofline.hpp"
 #include "bench/traffic.hpp"
 #include "kernels/interface_passes.hpp"
@@ -59,7 +58,7 @@ struct PassRow {
 template <class Pass, class Sample>
 PassRow<Sample> pass_row(const std::string& name, const Roles<Sample>& roles, int written,
                          typename PassRow<Sample>::Run run) {
-    return {name, roles, run, operations_per_lane<Pass>, columns_of_pass<Pass>(written)};
+    return {name, roles, run, counted::operations_per_lane<Pass>, columns_of_pass<Pass>(written)};
 }
 
 struct PassArguments {
@@ -83,7 +82,8 @@ void count_pass(benchmark::State& state, const PassRow<Sample>& pass, const Pass
     const double lanes = 16 * static_cast<double>(list.cluster_pairs());
     const bool one_set = pass.roles.queries == pass.roles.candidates;
     const std::size_t others = one_set ? 0 : (sample.*pass.roles.candidates).size();
-    const double of_list = list_bytes(list), of_columns = column_bytes(pass.columns, list.size(), others);
+    const double of_list = static_cast<double>(list.loop_bytes()),
+                 of_columns = column_bytes(pass.columns, list.size(), others);
     state.counters["pairs/s"] = per_second(pairs);
     state.counters["of_fma_peak"] = per_second(pass.operations() * lanes / arithmetic_peak(a.isa, a.precision));
     state.counters["of_copy"] = per_second((of_list + of_columns) / copy_rate().memory);

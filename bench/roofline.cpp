@@ -14,8 +14,8 @@
 #include <string>
 #include <utility>
 
-#include "bench/roofline_loops.hpp"
 #include "bench/suite.hpp"
+#include "engine/profile/roofline_loops.hpp"
 #include "neighbor/fields.hpp"
 
 namespace sluice::bench {

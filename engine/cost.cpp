@@ -13,6 +13,7 @@
 #include "engine/errors.hpp"
 #include "engine/output/run_record.hpp"
 #include "engine/simulation.hpp"
+#include "engine/thread_count.hpp"
 #include "engine/watch/state_check.hpp"
 
 namespace sluice {
@@ -38,18 +39,6 @@ struct Stopwatch {
 
     double wall() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
     double cpu() const { return process_cpu_seconds() - cpu_start; }
-};
-
-/// OpenMP's number of threads, for a while.
-class ThreadCount {
-  public:
-    explicit ThreadCount(int threads) : before_(omp_get_max_threads()) { omp_set_num_threads(threads); }
-    ~ThreadCount() { omp_set_num_threads(before_); }
-    ThreadCount(const ThreadCount&) = delete;
-    ThreadCount& operator=(const ThreadCount&) = delete;
-
-  private:
-    int before_;
 };
 
 double median(std::vector<double> values) {

@@ -102,12 +102,14 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::fluid_pressure, "fluid_pressure", "fluid: continuity, pressure, equation of state",
       "Antoci2007 eqs. 4, 8, 10; Monaghan1994", fluid_columns, "on if there is a fluid; cannot be left out",
       "dρ_i/dt = Σ_j m_j v_ij·∇_i W_ij;  a_i = −Σ_j m_j (p_i/ρ_i² + p_j/ρ_j²) ∇_i W_ij;  p = ρ0 c0²/γ ((ρ/ρ0)^γ − 1), "
-      "linear: γ = 1"},
+      "linear: γ = 1",
+      "fluid momentum/fluid momentum, fluid density/fluid continuity, update"},
      [](const Scene&, const SceneContent& c) { return needs_fluid(c); },
      {StepPhase::fluid_pass, StepPhase::density_pass}},
     {{Effect::artificial_viscosity, "artificial_viscosity", "fluid: artificial viscosity", "Antoci2007 eq. 12", "",
       "on if method.fluid.artificial_viscosity is not 0 and the fluid has no viscosity of its own",
-      "a_i = −Σ_j m_j Π_ij ∇_i W_ij,  Π_ij = −α c0 h min(v_ij·x_ij, 0)/(ρ̄_ij (|x_ij|² + (0.1 h)²))"},
+      "a_i = −Σ_j m_j Π_ij ∇_i W_ij,  Π_ij = −α c0 h min(v_ij·x_ij, 0)/(ρ̄_ij (|x_ij|² + (0.1 h)²))",
+      "fluid momentum/fluid momentum"},
      [](const Scene& s, const SceneContent& c) {
          if (c.fluid && c.viscous) return Decision{Verdict::impossible, "the fluid has a viscosity of its own"};
          return by_constant(needs_fluid(c), "alpha", s.method.fluid.artificial_viscosity, 0);
@@ -115,7 +117,8 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::laminar_viscosity, "laminar_viscosity", "fluid: viscosity", "Morris1997 eq. 22; Monaghan2005 sect. 8.3",
       "", "on if the fluid's viscosity is above 0",
       "a_i = Σ_j m_j (μ_i + μ_j)/(ρ_i ρ_j) (x_ij·∇_i W_ij)/|x_ij|² v_ij, or Σ_j m_j 2(D + 2) ν v_ij·x_ij/(ρ̄_ij "
-      "|x_ij|²) ∇_i W_ij"},
+      "|x_ij|²) ∇_i W_ij",
+      "fluid momentum/fluid momentum"},
      [](const Scene& s, const SceneContent& c) {
          if (!c.fluid) return needs_fluid(c);
          if (!c.viscous) return Decision{Verdict::impossible, "viscosity = 0"};
@@ -125,13 +128,14 @@ const std::array<EffectRow, effect_count> table{{
      }},
     {{Effect::acoustic_damping, "acoustic_damping", "fluid: damping of sound by a bulk viscosity",
       "Sun2023; engine/step/material_update.hpp", "", "on if method.fluid.acoustic_damping is not 0",
-      "p ← p + α c0 h dρ/dt"},
+      "p ← p + α c0 h dρ/dt", "update"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_fluid(c), "alpha", s.method.fluid.acoustic_damping, 0);
      }},
     {{Effect::density_diffusion, "density_diffusion", "fluid: density diffusion",
       "Molteni2009; Fourtakas2019; Antuono2010", "", "on if method.fluid.density_diffusion is not \"none\"",
-      "dρ_i/dt += δ c0 Σ_j h_ij V_j Ψ_ij·∇_i W_ij,  Ψ_ij = 2 (ρ_j − ρ_i − E_ij) x_ji/|x_ij|²"},
+      "dρ_i/dt += δ c0 Σ_j h_ij V_j Ψ_ij·∇_i W_ij,  Ψ_ij = 2 (ρ_j − ρ_i − E_ij) x_ji/|x_ij|²",
+      "fluid density/fluid continuity"},
      [](const Scene& s, const SceneContent& c) {
          if (!c.fluid) return needs_fluid(c);
          constexpr const char* names[] = {"none", "Molteni and Colagrossi", "Fourtakas et al.", "Antuono et al."};
@@ -144,7 +148,7 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::excess_density, "excess_density", "fluid: density less its hydrostatic part", "Fourtakas2019",
       "fluid.excess_density",
       "on if density diffusion is that of Fourtakas and there is gravity or an acceleration; cannot be left out then",
-      "ρ − ρ0 g·x/c0²"},
+      "ρ − ρ0 g·x/c0²", "fluid density, fluid density/fluid continuity"},
      [](const Scene& s, const SceneContent& c) {
          if (!c.fluid) return needs_fluid(c);
          if (s.method.fluid.density_diffusion != DensityDiffusion::fourtakas || is_switched_off(s, "density_diffusion"))
@@ -154,7 +158,8 @@ const std::array<EffectRow, effect_count> table{{
      }},
     {{Effect::density_gradient, "density_gradient", "fluid: consistent density gradient", "Antuono2010",
       "fluid.density_gradient", "on if density diffusion is that of Antuono; cannot be left out then",
-      "⟨∇ρ⟩_i = M_i⁻¹ Σ_j V_j (ρ_j − ρ_i) ∇_i W_ij,  M_i = Σ_j V_j (x_j − x_i) ⊗ ∇_i W_ij"},
+      "⟨∇ρ⟩_i = M_i⁻¹ Σ_j V_j (ρ_j − ρ_i) ∇_i W_ij,  M_i = Σ_j V_j (x_j − x_i) ⊗ ∇_i W_ij",
+      "fluid density, fluid density/density gradient"},
      [](const Scene& s, const SceneContent& c) {
          if (!c.fluid) return needs_fluid(c);
          if (s.method.fluid.density_diffusion != DensityDiffusion::antuono || is_switched_off(s, "density_diffusion"))
@@ -166,13 +171,14 @@ const std::array<EffectRow, effect_count> table{{
       "fluid.concentration_gradient fluid.surface_normal fluid.position_divergence fluid.concentration "
       "fluid.surface_volume",
       "on if method.fluid.particle_shifting is not 0",
-      "δx_i = −A h |v_i| Δt ∇C_i,  ∇C_i = Σ_j V_j (1 + R (W_ij/W(d))⁴) ∇_i W_ij; near a free surface only along it"},
+      "δx_i = −A h |v_i| Δt ∇C_i,  ∇C_i = Σ_j V_j (1 + R (W_ij/W(d))⁴) ∇_i W_ij; near a free surface only along it",
+      "particle shifting/*"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_fluid(c), "A", s.method.fluid.shifting, 0);
      }},
     {{Effect::velocity_filter, "velocity_filter", "fluid: velocity filter", "Antoci2007 eq. 16",
       "fluid.velocity_correction", "on if method.fluid.velocity_filter is not 1",
-      "v_i += (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij,  V_j = m_j/ρ̄_ij"},
+      "v_i += (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij,  V_j = m_j/ρ̄_ij", "velocity filter/*"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1);
      }},
@@ -180,38 +186,43 @@ const std::array<EffectRow, effect_count> table{{
       "Antoci2007 eqs. 4, 5, 8, 11, 15", hypoelastic_columns,
       "on if a solid has the model \"hypoelastic\"; cannot be left out then",
       "a_i = Σ_j m_j (σ_i/ρ_i² + σ_j/ρ_j²) ∇_i W_ij;  dS/dt = 2μ (D − tr(D)/3 I) + Ω S + S Ωᵀ;  σ = S − c0² (ρ − ρ0) "
-      "I"},
+      "I",
+      "solid momentum/solid momentum, solid gradient and stress/velocity gradient, update"},
      [](const Scene&, const SceneContent& c) { return needs_hypoelastic(c); },
      {StepPhase::solid_pass, StepPhase::gradient_pass}},
     {{Effect::total_lagrangian, "total_lagrangian", "solid: hyperelastic stress in the reference configuration",
       "Vignjevic2006; kernels/total_lagrangian_passes.hpp", total_lagrangian_columns,
       "on if a solid has the model \"st-venant-kirchhoff\" or \"neo-hookean\"; cannot be left out then",
-      "f_a = V_a Σ_b V_b (P_a L_a + P_b L_b) ∇_a W_ab,  F_a = Σ_b V_b (x_b − x_a) ⊗ L_a ∇_a W_ab,  P = ∂ψ/∂F"},
+      "f_a = V_a Σ_b V_b (P_a L_a + P_b L_b) ∇_a W_ab,  F_a = Σ_b V_b (x_b − x_a) ⊗ L_a ∇_a W_ab,  P = ∂ψ/∂F",
+      "solid momentum/elastic momentum, solid gradient and stress/deformation gradient, update"},
      [](const Scene&, const SceneContent& c) { return needs_total_lagrangian(c); },
      {StepPhase::solid_pass, StepPhase::gradient_pass}},
     {{Effect::hourglass_control, "hourglass_control", "solid: hourglass control", "Ganzenmueller2015; Silling2017", "",
       "on if there is a total-Lagrangian solid and method.solid.hourglass_control is not 0",
-      "f_a = −V_a Σ_b V_b w_ab [k_a (x_ab − F_a X_ab) + k_b (x_ab − F_b X_ab)],  k = 2 ζ μ"},
+      "f_a = −V_a Σ_b V_b w_ab [k_a (x_ab − F_a X_ab) + k_b (x_ab − F_b X_ab)],  k = 2 ζ μ",
+      "solid momentum/elastic momentum, solid gradient and stress/deformation gradient"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_total_lagrangian(c), "zeta", s.method.solid.hourglass_control, 0);
      }},
     {{Effect::solid_viscosity, "solid_viscosity", "solid: artificial viscosity", "Antoci2007 eq. 12", "",
       "on if there is a solid and method.solid.artificial_viscosity is not 0",
       "a_i = −Σ_j m_j Π_ij ∇_i W_ij,  Π_ij = −α c0 h min(v_ij·x_ij, 0)/(ρ̄_ij (|x_ij|² + (0.1 h)²)); total Lagrangian: "
-      "∇W of X"},
+      "∇W of X",
+      "solid momentum/solid momentum, solid momentum/elastic momentum"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_solid(c, true, ""), "alpha", s.method.solid.artificial_viscosity, 0);
      }},
     {{Effect::artificial_stress, "artificial_stress", "solid: artificial stress", "Antoci2007 eqs. 13, 14",
       "solid.artificial_stress", "on if there is a hypoelastic solid and method.solid.artificial_stress is not 0",
       "a_i = Σ_j m_j (R_i + R_j) f^q ∇_i W_ij,  f = W(|x_ij|)/W(d),  R = Σ_k −e σ_k/ρ² n_k ⊗ n_k over tensions σ_k > "
-      "0"},
+      "0",
+      "solid momentum/solid momentum, update"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_hypoelastic(c), "e", s.method.solid.artificial_stress, 0);
      }},
     {{Effect::solid_filter, "solid_filter", "solid: velocity filter", "Antoci2007 eq. 16", "solid.velocity_correction",
       "on if there is a hypoelastic solid and method.solid.velocity_filter is not 1",
-      "v_i += (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij,  V_j = m_j/ρ̄_ij"},
+      "v_i += (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij,  V_j = m_j/ρ̄_ij", "velocity filter/*"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_hypoelastic(c), "theta", s.method.solid.velocity_filter, 1);
      }},
@@ -219,19 +230,21 @@ const std::array<EffectRow, effect_count> table{{
       "kernels/contact_passes.hpp", wall_columns,
       "on if there are two total-Lagrangian bodies, or one and a wall, and not all are clamped; may be switched on for "
       "hypoelastic solids and walls",
-      "f_i = −V_i Σ_j V_j (p_i + p_j) ∇W_ij,  p = k (σ − σ_0)₊,  σ_i = Σ_j V_j W_ij,  j of other bodies"},
+      "f_i = −V_i Σ_j V_j (p_i + p_j) ∇W_ij,  p = k (σ − σ_0)₊,  σ_i = Σ_j V_j W_ij,  j of other bodies", "contact/*"},
      meeting_of_solids},
     {{Effect::interface_force, "interface_force", "coupling: interface force, reaction, kinematic condition",
       "Antoci2007 eqs. 24-30", element_columns,
       "on if there are a fluid and a solid and method.coupling is \"interface-force\"; cannot be left out then",
-      "p_k = 2 Σ_b V_b p_b W_kb;  f_k = −p_k n_k ΔΓ_k;  dρ_b/dt = −2 ρ_b Σ_k W_kb n_k ΔΓ_k·(v_b − v_k)"},
+      "p_k = 2 Σ_b V_b p_b W_kb;  f_k = −p_k n_k ΔΓ_k;  dρ_b/dt = −2 ρ_b Σ_k W_kb n_k ΔΓ_k·(v_b − v_k)", "interface/*"},
      [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::interface_force, s.method); },
      {StepPhase::interface_pass}},
     {{Effect::moving_boundary, "moving_boundary", "coupling: the solid's particles as moving boundary of the fluid",
       "Adami2012 eq. 25; Zhang2021; kernels/terms/moving_boundary.hpp", boundary_columns,
       "on if there are a fluid and a solid and method.coupling is \"moving-boundary\"; cannot be left out then",
       "F_fs = −V_f V_s max(p_f + p_s, 0) ∇_f W_fs = −F_sf,  p_s = p_f + ρ_f (g − a_s)·(x_s − x_f);  dρ_f/dt = ρ_f Σ_s "
-      "V_s (v_f − v_s)·∇_f W_fs"},
+      "V_s (v_f − v_s)·∇_f W_fs",
+      "interface, interface/boundary force, interface/boundary reaction, interface/boundary continuity, "
+      "particle shifting/boundary concentration"},
      [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::moving_boundary, s.method); },
      {StepPhase::interface_pass}},
     {{Effect::mirror_wall, "mirror_wall", "walls: mirrored ghosts (slip)", "Antoci2007 sect. 4", "",
@@ -245,7 +258,9 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::fixed_wall, "fixed_wall", "walls: layers of fixed ghosts", "Antoci2007 sect. 4; Adami2012 eq. 27",
       wall_columns, "on if there are a fluid and a fixed wall; cannot be left out then",
       "p_w = max(0, Σ_f V_f (p_f + ρ_f (g − a_w)·(x_w − x_f)) W_wf / Σ_f V_f W_wf);  a_i = −1/ρ_i Σ_j V_j (p_i + p_j) "
-      "∇_i W_ij;  dρ_i/dt = ρ_i Σ_j V_j (v_i − v_j)·∇_i W_ij"},
+      "∇_i W_ij;  dρ_i/dt = ρ_i Σ_j V_j (v_i − v_j)·∇_i W_ij",
+      "walls and images, walls and images/ghost pressure, walls and images/ghost force, walls and images/ghost "
+      "continuity, walls and images/boundary continuity, particle shifting/boundary concentration"},
      [](const Scene&, const SceneContent& c) {
          if (!c.fixed) return Decision{Verdict::impossible, "no fixed wall"};
          return c.fluid ? Decision{Verdict::required, "walls: " + c.fixed_walls}
@@ -255,7 +270,8 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::no_slip_wall, "no_slip_wall", "walls: no slip", "Adami2012 eqs. 22, 23; Morris1997",
       "wall.ghost_velocity wall.friction_volume",
       "on if a fixed wall has condition = \"no-slip\" and the fluid's viscosity is above 0",
-      "v_g = 2 v_w − Σ_f V_f v_f W_wf/Σ_f V_f W_wf;  a_f = 2 ν Σ_w V_w (∂W/∂r / r) (v_f − v_g)"},
+      "v_g = 2 v_w − Σ_f V_f v_f W_wf/Σ_f V_f W_wf;  a_f = 2 ν Σ_w V_w (∂W/∂r / r) (v_f − v_g)",
+      "walls and images/ghost velocity, walls and images/boundary friction"},
      [](const Scene&, const SceneContent& c) {
          if (!c.no_slip) return Decision{Verdict::impossible, "no wall with condition = \"no-slip\""};
          return c.viscous ? Decision{Verdict::used, "walls: " + c.no_slip_walls}
@@ -263,7 +279,8 @@ const std::array<EffectRow, effect_count> table{{
      }},
     {{Effect::no_slip_solid, "no_slip_solid", "coupling: no slip", "Adami2012 eqs. 22, 23; Morris1997",
       "boundary.ghost_velocity", "on if solids are a moving boundary and the fluid's viscosity is above 0",
-      "v_g = 2 v_s − Σ_f V_f v_f W_sf/Σ_f V_f W_sf;  F_fs = 2 ν m_f V_s (∂W/∂r / r) (v_f − v_g) = −F_sf"},
+      "v_g = 2 v_s − Σ_f V_f v_f W_sf/Σ_f V_f W_sf;  F_fs = 2 ν m_f V_s (∂W/∂r / r) (v_f − v_g) = −F_sf",
+      "interface/ghost velocity, interface/boundary friction, interface/friction reaction"},
      [](const Scene& s, const SceneContent& c) {
          const Decision d = meeting(c, Coupling::moving_boundary, s.method);
          if (d.verdict == Verdict::impossible) return d;
@@ -273,7 +290,8 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::moving_wall, "moving_wall", "walls: motion by formula or table", "Adami2012 eq. 25",
       "wall.initial_position wall.velocity",
       "on if there are a wall with a motion and a fluid, or solids that touch walls (contact)",
-      "x(t) = x(0) + u(t),  v = (x(t + Δt) − x(t))/Δt"},
+      "x(t) = x(0) + u(t),  v = (x(t + Δt) − x(t))/Δt",
+      "walls and images, walls and images/boundary continuity, walls and images/ghost pressure"},
      [](const Scene& s, const SceneContent& c) {
          if (!c.moving_wall) return Decision{Verdict::impossible, "no wall with a motion"};
          return c.fluid || solids_meet_walls(s, c) ? Decision{Verdict::used, "walls: " + c.moving_walls}
@@ -294,7 +312,8 @@ const std::array<EffectRow, effect_count> table{{
      }},
     {{Effect::clamp_extension, "clamp_extension", "solid: displacement goes on behind a clamp's surface",
       "engine/step/clamp_extension.hpp", "solid.elastic_share", "on if a total-Lagrangian body has a clamp",
-      "u(X_b) = −r u(X_j),  r = |X_b − X_s|/|X_j − X_s|;  V ψ and k times the cell's share outside the clamp"},
+      "u(X_b) = −r u(X_j),  r = |X_b − X_s|/|X_j − X_s|;  V ψ and k times the cell's share outside the clamp",
+      "solid momentum, solid gradient and stress"},
      [](const Scene&, const SceneContent& c) {
          const Decision d = needs_total_lagrangian(c);
          if (d.verdict == Verdict::impossible) return d;
@@ -338,7 +357,7 @@ const std::array<EffectRow, effect_count> table{{
     {{Effect::steady_load, "steady_load", "time: the steady part of the load acts within the solid's steps",
       "engine/step/steady_load.hpp", "solid.steady_acceleration",
       "on if water meets total-Lagrangian solids that go at their own rate",
-      "f̄^n = f̄^(n−1) + (f^n − f̄^(n−1))/32 all the time, ½Δt (f^n − f̄^n) and ½Δt (f^(n+1) − f̄^n) as impulses"},
+      "f̄^n = f̄^(n−1) + (f^n − f̄^(n−1))/32 all the time, ½Δt (f^n − f̄^n) and ½Δt (f^(n+1) − f̄^n) as impulses", "update"},
      [](const Scene& s, const SceneContent& c) {
          if (!c.fluid || !c.solid) return Decision{Verdict::impossible, "one medium"};
          if (!c.total_lagrangian) return Decision{Verdict::impossible, "the solids are hypoelastic"};

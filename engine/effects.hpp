@@ -56,6 +56,9 @@ struct EffectInfo {
     std::string_view fields;     ///< columns that it needs, as "phase.column phase.column"
     std::string_view automatic;  ///< the rule for "auto" in words: "on if ..."
     std::string_view formula;    ///< in a line; symbols as in the headers of kernels/terms/
+    /// Where in a step its terms run: "PHASE/LOOP, PHASE/LOOP" (step_phase_names, pass_name); PHASE/* is all that runs
+    /// in a phase, PHASE what of it is no loop over pairs. Empty: nowhere apart from others.
+    std::string_view places = {};
 
     bool needs(std::string_view phase, std::string_view column) const;
 };

@@ -23,6 +23,7 @@
 #include "engine/output/schedule.hpp"
 #include "engine/output/summary.hpp"
 #include "engine/output/version.hpp"
+#include "engine/profile/run_profile.hpp"
 #include "engine/stop_request.hpp"
 #include "engine/watch/recovery.hpp"
 #include "engine/watch/watch.hpp"
@@ -94,6 +95,8 @@ class Run {
             start_files(std::move(probes));
         else
             resume(options.resume_from, std::move(probes));
+        if (options.traced_steps)
+            profile_.emplace(record_.threads, TracePlan{*options.traced_steps, simulation_.time(), record_.end_time});
         record_.setup_seconds += seconds_since(start_);
         update_summary();
         writer_.finish();
@@ -108,11 +111,12 @@ class Run {
                 fail(failure.what());
             }
             writer_.finish();
+            if (profile_) profile_text_ = write_profile(*profile_, simulation_, directory_);
         } catch (const OutputError& failure) {
             record_failed_output(failure);
             throw;
         }
-        return {record_.state, record_.message, report_text(simulation_, record_)};
+        return {record_.state, record_.message, report_text(simulation_, record_) + profile_text_};
     }
 
   private:
@@ -121,6 +125,9 @@ class Run {
         make_folder(directory_);
         lock_.emplace(directory_);
         write_atomically(directory_ / "scene.toml", simulation_.scene().source);
+        std::error_code absent;
+        for (const char* other_run : {"profile.json", "trace.json"})
+            std::filesystem::remove(directory_ / other_run, absent);
         record_.probe_columns = probes.columns();
         checkpoints_.emplace(directory_);
         probes_.emplace(directory_, std::move(probes), writer_);
@@ -183,6 +190,8 @@ class Run {
     void go_on() {
         {
             const Stopwatch watch(record_.step_seconds);
+            const StepProfile::Step profiled(profile_ ? &*profile_ : nullptr, simulation_.work().steps,
+                                             simulation_.time());
             simulation_.step();
         }
         if (simulation_.work().steps % steps_per_look == 0) look();
@@ -365,6 +374,8 @@ class Run {
     std::optional<CheckpointStore> checkpoints_;
     std::optional<ProbeWriter<Dim>> probes_;
     std::optional<FrameWriter<Dim>> frames_;
+    std::optional<StepProfile> profile_;
+    std::string profile_text_;
     double probe_written_ = -1, frame_written_ = -1;  ///< simulated time of the last one [s]
     double wall_before_ = 0, cpu_before_ = 0;         ///< of the run up to the checkpoint that it goes on from [s]
     /// Last, so that it has finished before what it writes for goes.

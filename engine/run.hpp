@@ -17,6 +17,7 @@ struct RunOptions {
     std::optional<double> until;          ///< simulated time to run to [s], in place of the scene's
     std::filesystem::path resume_from{};  ///< a checkpoint in the directory to go on from; empty = start anew
     std::FILE* progress = stderr;         ///< where to tell how it goes; null = nowhere
+    std::optional<int> traced_steps{};    ///< profile the run, and trace so many of its steps
 };
 
 struct RunStatus {
@@ -25,8 +26,9 @@ struct RunStatus {
     std::string report;   ///< the table that ends a run
 };
 
-/// Runs a scene and writes scene.toml, frames/, probes.csv and summary.json into the directory. A numerical failure is
-/// a status; whatever was written before it stays readable. Throws SceneError before anything is written, OutputError.
+/// Runs a scene and writes scene.toml, frames/, probes.csv and summary.json into the directory, profile.json and
+/// trace.json if it is profiled. A numerical failure is a status; whatever was written before it stays readable. Throws
+/// SceneError before anything is written, OutputError.
 ///
 /// Resumed from a checkpoint, results are those of a run that was never stopped: what was written after the checkpoint
 /// is cut back. Throws CheckpointError, before anything is cut, if the checkpoint is not of this scene.

@@ -45,12 +45,26 @@ inline constexpr std::size_t block_particles = block_size * cluster_size;
 SLUICE_DECLARE_LOOP(baseline)
 SLUICE_DECLARE_LOOP(avx2)
 SLUICE_DECLARE_LOOP(avx512)
+SLUICE_DECLARE_LOOP(counted)
 #undef SLUICE_DECLARE_LOOP
+
+namespace counted {
+/// Additions, multiplications and so on for each pair that the loop goes over (kernels/operation_count.hpp).
+template <class Pass>
+double operations_per_lane();
+}  // namespace counted
 
 template <class Pass>
 using BlockLoop = void (*)(const BlockTask<Pass::dim>&, const ListView::Block&, const Pass&, double*);
 
-/// The loop for the instruction set in use. A pass with `always_full` is computed in double whatever is asked for.
+/// A pass with `always_full` is computed in double whatever is asked for.
+template <class Pass>
+constexpr bool is_full(Precision precision) {
+    return requires { Pass::always_full; }
+    || precision == Precision::full;
+}
+
+/// The loop for the instruction set in use.
 template <class Pass>
 BlockLoop<Pass> block_loop(Precision precision) {
     if constexpr (!requires { Pass::always_full; })

@@ -109,9 +109,15 @@ void sum_block(const BlockTask<Pass::dim>& task, const ListView::Block& block, c
     }
 }
 
+#ifndef SLUICE_ISA_counted
 /// For the files that compile loops: the loop of one pass for one number type.
 #define SLUICE_INSTANTIATE_PASS(Number, ...)                                                                 \
     template void sum_block<__VA_ARGS__, Number>(const BlockTask<__VA_ARGS__::dim>&, const ListView::Block&, \
                                                  const __VA_ARGS__&, double*);
+#endif
 
 }  // namespace sluice::SLUICE_ISA
+
+#ifdef SLUICE_ISA_counted
+#include "kernels/operation_count.hpp"
+#endif

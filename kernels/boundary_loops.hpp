@@ -2,7 +2,9 @@
 // to the last digits although each side sums for itself.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 #include "kernels/terms/boundary_viscosity.hpp"
 #include "kernels/terms/moving_boundary.hpp"
 
@@ -10,18 +12,21 @@ namespace sluice {
 
 template <int Dim>
 struct BoundaryPressure : MovingBoundaryPressure<Dim> {
+    static constexpr std::string_view name = "boundary force";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
 };
 
 template <int Dim>
 struct BoundaryReaction : MovingBoundaryReaction<Dim> {
+    static constexpr std::string_view name = "boundary reaction";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
 };
 
 template <int Dim>
 struct BoundaryContinuity : MovingBoundaryContinuity {
+    static constexpr std::string_view name = "boundary continuity";
     static constexpr int dim = Dim, outputs = 1;
     static constexpr bool always_full = true;
 
@@ -33,12 +38,14 @@ struct BoundaryContinuity : MovingBoundaryContinuity {
 
 template <int Dim>
 struct BoundaryFrictionPass : BoundaryFriction {
+    static constexpr std::string_view name = "boundary friction";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
 };
 
 template <int Dim>
 struct BoundaryFrictionReactionPass : BoundaryFrictionReaction {
+    static constexpr std::string_view name = "friction reaction";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
 };
@@ -46,6 +53,7 @@ struct BoundaryFrictionReactionPass : BoundaryFrictionReaction {
 /// Σ_f V_f W_wf and Σ_f V_f W_wf v_f of a boundary particle w.
 template <int Dim>
 struct BoundaryVelocitySums {
+    static constexpr std::string_view name = "ghost velocity";
     static constexpr int dim = Dim, outputs = 1 + Dim;
     static constexpr bool always_full = true;
     static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::velocity;

@@ -1,6 +1,7 @@
 #include "kernels/boundary_passes.hpp"
 
 #include "kernels/boundary_loops.hpp"
+#include "kernels/pair_sum.hpp"
 
 namespace sluice {
 

@@ -2,13 +2,16 @@
 // which spares compiling the other.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 
 namespace sluice {
 
 /// σ_i = Σ_j V_j W_ij and Σ_j V_j ∇_i W_ij
 template <int Dim>
 struct ContactSums {
+    static constexpr std::string_view name = "contact density";
     static constexpr int dim = Dim, outputs = 1 + Dim;
     static constexpr bool always_full = true;
     static constexpr unsigned reads_i = 0, reads_j = column::volume;
@@ -27,6 +30,7 @@ struct ContactSums {
 /// −Σ_j V_j (p_i + p_j) ∇_i W_ij
 template <int Dim>
 struct ContactForce {
+    static constexpr std::string_view name = "contact force";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
     static constexpr unsigned reads_i = column::pressure, reads_j = column::pressure | column::volume;

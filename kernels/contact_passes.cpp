@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kernels/contact_loops.hpp"
+#include "kernels/pair_sum.hpp"
 
 namespace sluice {
 

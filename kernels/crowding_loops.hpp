@@ -1,13 +1,16 @@
 // The pass that finds particles too close to each other. It runs seldom: in double whatever is asked for.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 
 namespace sluice {
 
 /// Σ_j max(1 − r²/(c h)², 0), h of the pair.
 template <int Dim>
 struct Crowding {
+    static constexpr std::string_view name = "crowding";
     static constexpr int dim = Dim, outputs = 1;
     static constexpr bool always_full = true;
     static constexpr unsigned reads_i = 0, reads_j = 0;

@@ -1,6 +1,7 @@
 #include "kernels/crowding_passes.hpp"
 
 #include "kernels/crowding_loops.hpp"
+#include "kernels/pair_sum.hpp"
 
 namespace sluice {
 

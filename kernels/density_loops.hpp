@@ -1,7 +1,9 @@
 // The passes of the fluid's density diffusion, as sets of terms.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 #include "kernels/terms/continuity.hpp"
 #include "kernels/terms/density_diffusion.hpp"
 
@@ -10,6 +12,7 @@ namespace sluice {
 /// Continuity with diffusion in one loop.
 template <int Dim, class Diffusion>
 struct DiffusiveDensityRate {
+    static constexpr std::string_view name = "fluid continuity";
     static constexpr int dim = Dim, outputs = 1;
     static constexpr unsigned reads_i = Continuity::reads_i | Diffusion::reads_i;
     static constexpr unsigned reads_j = Continuity::reads_j | Diffusion::reads_j;
@@ -25,6 +28,7 @@ struct DiffusiveDensityRate {
 /// Σ_j V_j (ρ_j − ρ_i) ∇W, then the symmetric M = Σ_j V_j (x_j − x_i) ⊗ ∇W.
 template <int Dim>
 struct DensityGradientSums {
+    static constexpr std::string_view name = "density gradient";
     static constexpr int dim = Dim, outputs = Dim + sym_components<Dim>;
     static constexpr unsigned reads_i = column::density, reads_j = column::mass | column::density;
 

@@ -2,6 +2,7 @@
 
 #include "kernels/density_loops.hpp"
 #include "kernels/fluid_passes.hpp"
+#include "kernels/pair_sum.hpp"
 #include "kernels/tensor.hpp"
 
 namespace sluice {

@@ -1,7 +1,7 @@
 // The fluid's passes over pairs, as sets of terms.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include "kernels/momentum_terms.hpp"
 #include "kernels/terms/central_viscosity.hpp"
 #include "kernels/terms/continuity.hpp"
 #include "kernels/terms/laminar_viscosity.hpp"
@@ -13,10 +13,13 @@ template <int Dim>
 using InviscidMomentum = MomentumTerms<Dim, SymmetricPressure>;
 template <int Dim>
 using ViscousMomentum = MomentumTerms<Dim, SymmetricPressure, CentralViscosity>;
+template <int Dim, class... More>
+inline constexpr std::string_view pass_name<MomentumTerms<Dim, SymmetricPressure, More...>> = "fluid momentum";
 
 /// A pass of its own: as a branch in the loop of ViscousMomentum it cost that one 5 to 15 % (bench: fluid_momentum).
 template <int Dim>
 struct MorrisMomentum {
+    static constexpr std::string_view name = "fluid momentum";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr unsigned reads_i = InviscidMomentum<Dim>::reads_i | MorrisViscosity::reads_i;
     static constexpr unsigned reads_j = InviscidMomentum<Dim>::reads_j | MorrisViscosity::reads_j;
@@ -31,6 +34,7 @@ struct MorrisMomentum {
 
 template <int Dim>
 struct DensityRate : Continuity {
+    static constexpr std::string_view name = "fluid continuity";
     static constexpr int dim = Dim, outputs = 1;
 
     template <class Pair>
@@ -42,6 +46,7 @@ struct DensityRate : Continuity {
 /// Numerator and denominator of eq. (16), both halved: Σ_j V_j (v_j − v_i) W_ij and Σ_j V_j W_ij with V_j = m_j/ρ̄_ij.
 template <int Dim>
 struct FilterSums {
+    static constexpr std::string_view name = "velocity filter";
     static constexpr int dim = Dim, outputs = Dim + 1;
     static constexpr unsigned reads_i = column::velocity | column::density, reads_j = reads_i | column::mass;
 
@@ -60,6 +65,7 @@ struct FilterSums {
 /// Momentum and continuity at once, for schemes that take both at the same instant: acceleration, then dρ/dt.
 template <int Dim>
 struct FluidRates {
+    static constexpr std::string_view name = "fluid momentum and continuity";
     static constexpr int dim = Dim, outputs = Dim + 1;
     static constexpr unsigned reads_i = ViscousMomentum<Dim>::reads_i | Continuity::reads_i;
     static constexpr unsigned reads_j = ViscousMomentum<Dim>::reads_j | Continuity::reads_j;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/fluid_loops.hpp"
+#include "kernels/pair_sum.hpp"
 #include "kernels/terms/artificial_viscosity.hpp"
 
 namespace sluice {

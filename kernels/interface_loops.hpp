@@ -2,13 +2,16 @@
 // particle's own smoothing length.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 
 namespace sluice {
 
 /// Σ_b 2 V_b p_b W_kb: (a) of kernels/interface_passes.hpp.
 template <int Dim>
 struct ElementPressure {
+    static constexpr std::string_view name = "element pressure";
     static constexpr int dim = Dim, outputs = 1;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_j;
@@ -24,6 +27,7 @@ struct ElementPressure {
 /// Σ_a V_a W_ka and Σ_a V_a W_ka v_a.
 template <int Dim>
 struct ElementWeights {
+    static constexpr std::string_view name = "element weights";
     static constexpr int dim = Dim, outputs = 1 + Dim;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_j;
@@ -43,6 +47,7 @@ struct ElementWeights {
 /// Σ_k W_ka f_k/Σ_c V_c W_kc: (b), per volume of the particle.
 template <int Dim>
 struct ForceShare {
+    static constexpr std::string_view name = "force on solid";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_i;
@@ -57,6 +62,7 @@ struct ForceShare {
 /// Σ_k W_kb n_k ΔΓ_k of (c).
 template <int Dim>
 struct SurfaceIntegral {
+    static constexpr std::string_view name = "force on fluid";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_i;
@@ -71,6 +77,7 @@ struct SurfaceIntegral {
 /// Σ_k W_kb n_k ΔΓ_k · (v_b − v_k) of (d).
 template <int Dim>
 struct SurfaceFlux {
+    static constexpr std::string_view name = "continuity at elements";
     static constexpr int dim = Dim, outputs = 1;
     static constexpr bool always_full = true;
     static constexpr Length length = Length::of_i;

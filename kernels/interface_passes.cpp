@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/interface_loops.hpp"
+#include "kernels/pair_sum.hpp"
 
 namespace sluice {
 template <int Dim>

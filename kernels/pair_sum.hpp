@@ -3,16 +3,36 @@
 
 #include <omp.h>
 
-#include <type_traits>
-
 #include "kernels/block_loop.hpp"
-#include "kernels/pair.hpp"
-#include "neighbor/parallel.hpp"
+#include "kernels/pass_name.hpp"
+#include "neighbor/loop_watch.hpp"
 
 namespace sluice {
 
 /// Below this many pairs of clusters, some ten microseconds of work, the calling thread does it alone.
 inline constexpr std::uint64_t parallel_cluster_pairs = 256;
+
+/// The loop over a pass's pairs, for whoever watches.
+template <class Pass>
+const Section& section_of(Precision precision) {
+    static constexpr Section in_double{pass_name<Pass>, sizeof(double), counted::operations_per_lane<Pass>};
+    static constexpr Section in_single{pass_name<Pass>, sizeof(float), counted::operations_per_lane<Pass>};
+    return is_full<Pass>(precision) ? in_double : in_single;
+}
+
+/// Columns are counted as if each were read once, those that are written twice. Of others than the queries it is not
+/// known how many candidates there are: one that is near several blocks counts for each.
+template <class Pass>
+PairWork pair_work(const ParticleView<Pass::dim>& a, const ParticleView<Pass::dim>& b, const NeighborList& list) {
+    constexpr int dim = Pass::dim;
+    constexpr std::size_t of_i = Slots<dim, Pass::reads_i>::count, of_j = Slots<dim, Pass::reads_j>::count,
+                          of_both = Slots<dim, Pass::reads_i | Pass::reads_j>::count, written = Pass::outputs;
+    const bool one_set = a.position == b.position;
+    const std::size_t read =
+        one_set ? of_both * list.size() : of_i * list.size() + of_j * cluster_size * list.candidate_clusters();
+    return {list.size(), list.pairs(), list.cluster_pairs() * cluster_size * cluster_size, list.loop_bytes(),
+            sizeof(double) * (read + 2 * written * list.size())};
+}
 
 /// store(block, i, Σ_j pass(ij)) for every listed particle. Blocks are dealt out by work. Returns the directed pairs
 /// inside the support.
@@ -22,8 +42,12 @@ std::uint64_t sum_pairs_by_block(const Pass& pass, const PairMethod<Pass::dim>& 
                                  const NeighborList& list, const Store& store) {
     const BlockLoop<Pass> loop = block_loop<Pass>(method.precision);
     const BlockTask<Pass::dim> task{a, b, list.view(), method.smoothing};
+    WatchedSection section(section_of<Pass>(method.precision));
+    if (section.is_watched()) section.set_work(pair_work<Pass>(a, b, list));
+    const WatchedLoop watched;
 #pragma omp parallel if (list.cluster_pairs() > parallel_cluster_pairs)
     {
+        const WatchedShare watched_share(watched);
         double sums[block_particles * Pass::outputs];
         const Range share = list.share(omp_get_thread_num(), omp_get_num_threads());
         for (Index n = share.begin; n < share.end; ++n) {
@@ -51,40 +75,6 @@ std::uint64_t sum_pairs(const Pass& pass, const PairMethod<Pass::dim>& method, c
     return sum_pairs_by_block(pass, method, a, b, list,
                               [&store](Index, Index i, const Vec<Pass::outputs>& sum) { store(i, sum); });
 }
-
-/// Accelerations Σ_j m_j T_ij ∇_i W_ij. A term returns its share of T: a symmetric tensor, or a scalar that stands for
-/// a multiple of the unit tensor. Terms that a scene lacks are not in the pack.
-template <int Dim, class... Terms>
-struct MomentumTerms : Terms... {
-    static constexpr int dim = Dim, outputs = Dim;
-    static constexpr unsigned reads_i = (Terms::reads_i | ...), reads_j = column::mass | (Terms::reads_j | ...);
-
-    template <class Pair>
-    [[gnu::always_inline]] typename Pair::Vector operator()(const Pair& ij) const {
-        const auto t = sum_of<typename Pair::Real>(Terms::operator()(ij)...);
-        if constexpr (std::is_same_v<std::decay_t<decltype(t)>, typename Pair::Real>)
-            return (t * ij.m_grad_w_over_x()) * ij.x_ij;
-        else
-            return ij.m_grad_w_over_x() * sym_times<Dim>(t, ij.x_ij);
-    }
-
-  private:
-    template <class Real, class T>
-    [[gnu::always_inline]] static T sum_of(const T& t) {
-        return t;
-    }
-    template <class Real, class T, class U, class... Rest>
-    [[gnu::always_inline]] static auto sum_of(const T& t, const U& u, const Rest&... rest) {
-        if constexpr (std::is_same_v<T, U>)
-            return sum_of<Real>(T(t + u), rest...);
-        else if constexpr (std::is_same_v<U, Real>) {
-            T sum = t;  // the diagonal comes first
-            unroll<Dim>([&](int k) __attribute__((always_inline)) { sum[k] += u; });
-            return sum_of<Real>(sum, rest...);
-        } else
-            return sum_of<Real>(u, t, rest...);
-    }
-};
 
 /// out_i += Σ_j pass(ij)
 template <class Pass>

@@ -1,7 +1,9 @@
 // The passes of particle shifting, as sets of terms.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 
 namespace sluice {
 
@@ -27,6 +29,7 @@ struct VolumeColumn {
 /// ArtificialStress.
 template <int Dim, class Volume>
 struct ConcentrationSums {
+    static constexpr std::string_view name = "concentration";
     static constexpr int dim = Dim, outputs = Dim + 2;
     static constexpr unsigned reads_i = 0, reads_j = Volume::reads_j;
 
@@ -53,12 +56,14 @@ using FluidConcentration = ConcentrationSums<Dim, VolumeOfMass>;
 /// Few pairs: in double whatever is asked for, which spares compiling the other.
 template <int Dim>
 struct BoundaryConcentration : ConcentrationSums<Dim, VolumeColumn> {
+    static constexpr std::string_view name = "boundary concentration";
     static constexpr bool always_full = true;
 };
 
 /// Σ_j V_j ∇W
 template <int Dim>
 struct SurfaceNormal {
+    static constexpr std::string_view name = "surface normal";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr unsigned reads_i = 0, reads_j = column::volume;
 

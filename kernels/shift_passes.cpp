@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/pair_sum.hpp"
 #include "kernels/shift_loops.hpp"
 #include "neighbor/parallel.hpp"
 

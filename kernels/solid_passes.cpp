@@ -1,5 +1,6 @@
 #include "kernels/solid_passes.hpp"
 
+#include "kernels/pair_sum.hpp"
 #include "kernels/solid_loops.hpp"
 #include "kernels/tensor.hpp"
 

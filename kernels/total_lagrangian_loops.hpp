@@ -4,7 +4,9 @@
 // All are double in every precision: F − I is the strain, and strains of 10⁻⁶ drown in a float's 10⁻⁷.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 #include "kernels/terms/reference_viscosity.hpp"
 
 namespace sluice {
@@ -12,6 +14,7 @@ namespace sluice {
 /// M = Σ_j V_j (X_j − X_i) ⊗ ∇_i W_ij = Σ_j V_j w_ij X_ij ⊗ X_ij, which is symmetric.
 template <int Dim>
 struct GradientMatrixSums {
+    static constexpr std::string_view name = "gradient correction";
     static constexpr int dim = Dim, outputs = sym_components<Dim>;
     static constexpr bool always_full = true;
     static constexpr unsigned reads_i = 0, reads_j = column::volume;
@@ -30,6 +33,7 @@ struct GradientMatrixSums {
 /// Σ_j V_j (x_j − x_i) ⊗ ∇_i W_ij, row by row: F before it is corrected.
 template <int Dim>
 struct DeformationSums {
+    static constexpr std::string_view name = "deformation gradient";
     static constexpr int dim = Dim, outputs = Dim * Dim;
     static constexpr bool always_full = true;
     static constexpr unsigned reads_i = column::current_position, reads_j = reads_i | column::volume;
@@ -48,6 +52,7 @@ struct DeformationSums {
 /// hourglass control in one. A scene without viscosity has no `Viscosity`.
 template <int Dim, class... Viscosity>
 struct ElasticMomentum : Viscosity... {
+    static constexpr std::string_view name = "elastic momentum";
     static constexpr int dim = Dim, outputs = Dim;
     static constexpr bool always_full = true;
     static constexpr unsigned of_elasticity =
@@ -68,6 +73,7 @@ struct ElasticMomentum : Viscosity... {
 /// Σ_j V_j w_ij |x_ij − F_i X_ij|²
 template <int Dim>
 struct HourglassErrors {
+    static constexpr std::string_view name = "hourglass energy";
     static constexpr int dim = Dim, outputs = 1;
     static constexpr bool always_full = true;
     static constexpr unsigned reads_i = column::current_position | column::deformation;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "kernels/pair_sum.hpp"
 #include "kernels/total_lagrangian_loops.hpp"
 
 namespace sluice {

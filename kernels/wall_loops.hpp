@@ -1,18 +1,22 @@
 // The passes between fluid and fixed ghosts, as sets of terms.
 #pragma once
 
-#include "kernels/pair_sum.hpp"
+#include <string_view>
+
+#include "kernels/pair.hpp"
 #include "kernels/terms/fixed_ghost.hpp"
 
 namespace sluice {
 
 template <int Dim>
 struct GhostPressure : FixedGhostPressure {
+    static constexpr std::string_view name = "ghost force";
     static constexpr int dim = Dim, outputs = Dim;
 };
 
 template <int Dim>
 struct GhostContinuity : FixedGhostContinuity {
+    static constexpr std::string_view name = "ghost continuity";
     static constexpr int dim = Dim, outputs = 1;
 
     template <class Pair>
@@ -24,6 +28,7 @@ struct GhostContinuity : FixedGhostContinuity {
 /// Σ_f V_f W_wf and Σ_f V_f (p_f + ρ_f g·(x_w − x_f)) W_wf of a ghost w.
 template <int Dim>
 struct GhostPressureSums {
+    static constexpr std::string_view name = "ghost pressure";
     static constexpr int dim = Dim, outputs = 2;
     static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::pressure;
 
@@ -43,6 +48,7 @@ struct GhostPressureSums {
 /// Σ_f V_f ρ_f (x_w − x_f) W_wf.
 template <int Dim>
 struct MovingGhostPressureSums {
+    static constexpr std::string_view name = "ghost pressure";
     static constexpr int dim = Dim, outputs = 2 + Dim;
     static constexpr unsigned reads_i = 0, reads_j = column::mass | column::density | column::pressure;
 

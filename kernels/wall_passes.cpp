@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/pair_sum.hpp"
 #include "kernels/wall_loops.hpp"
 
 namespace sluice {

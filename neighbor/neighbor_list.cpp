@@ -54,6 +54,19 @@ std::size_t NeighborList::bytes() const {
            work_.capacity() * sizeof(std::uint64_t);
 }
 
+std::size_t NeighborList::loop_bytes() const {
+    return block_.size() * sizeof(ListView::Block) + part_.size() * sizeof(ListView::Part) +
+           query_.size() * (sizeof(ListedCluster) + sizeof(std::uint8_t)) + candidate_.size() * sizeof(ListedCluster) +
+           row_.size() * sizeof(ListView::Row) + cluster_pairs() * sizeof(std::uint8_t);
+}
+
+std::uint64_t NeighborList::pairs_of_clusters(const ListView::Block& block) const {
+    std::uint64_t work = 0;
+    for (Index p = block.parts.begin; p < block.parts.end; ++p)
+        for (Index q = 0; q < block.queries.size(); ++q) work += row_[part_[p].first_row + q].near;
+    return work;
+}
+
 void NeighborList::clear() {
     block_.clear();
     part_.clear();
@@ -189,13 +202,19 @@ void NeighborSearch<Dim>::build(const ClusterGrid<Dim>& query, std::span<const C
     const int threads = query.size() > parallel_threshold ? omp_get_max_threads() : 1;
     std::vector<Share> shares(static_cast<std::size_t>(threads));
     // Consecutive shares, each searched by one thread in order: the list is the same for any number of threads.
-#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
-    for (int t = 0; t < threads; ++t) {
-        Share& share = shares[static_cast<std::size_t>(t)];
-        const auto share_of = [&](int s) {
-            return blocks * static_cast<std::size_t>(s) / static_cast<std::size_t>(threads);
-        };
-        for (std::size_t b = share_of(t); b < share_of(t + 1); ++b) search_block(job, b, share);
+    const auto share_of = [&](int s) {
+        return blocks * static_cast<std::size_t>(s) / static_cast<std::size_t>(threads);
+    };
+    {
+        const WatchedLoop loop;
+#pragma omp parallel num_threads(threads) if (threads > 1)
+        {
+            const WatchedShare watched(loop);
+#pragma omp for schedule(static, 1) nowait
+            for (int t = 0; t < threads; ++t)
+                for (std::size_t b = share_of(t); b < share_of(t + 1); ++b)
+                    search_block(job, b, shares[static_cast<std::size_t>(t)]);
+        }
     }
     join(shares, list);
 }
@@ -226,14 +245,18 @@ void NeighborSearch<Dim>::prune(const Set& query, const Set& target, const CutOf
     const auto blocks = static_cast<std::int64_t>(list.blocks());
     list.work_.resize(list.blocks());
     std::uint64_t pairs = 0;
-#pragma omp parallel for schedule(dynamic, 4) reduction(+ : pairs) if (list.size() > parallel_threshold)
-    for (std::int64_t b = 0; b < blocks; ++b) {
-        const ListView::Block& block = list.block_[static_cast<std::size_t>(b)];
-        pairs += loop(task, block);
-        std::uint64_t work = 0;
-        for (Index p = block.parts.begin; p < block.parts.end; ++p)
-            for (Index q = 0; q < block.queries.size(); ++q) work += list.row_[list.part_[p].first_row + q].near;
-        list.work_[static_cast<std::size_t>(b)] = work;
+    {
+        const WatchedLoop watched;
+#pragma omp parallel reduction(+ : pairs) if (list.size() > parallel_threshold)
+        {
+            const WatchedShare share(watched);
+#pragma omp for schedule(dynamic, 4) nowait
+            for (std::int64_t b = 0; b < blocks; ++b) {
+                const ListView::Block& block = list.block_[static_cast<std::size_t>(b)];
+                pairs += loop(task, block);
+                list.work_[static_cast<std::size_t>(b)] = list.pairs_of_clusters(block);
+            }
+        }
     }
     for (std::size_t b = 1; b < list.blocks(); ++b) list.work_[b] += list.work_[b - 1];
     const bool same_set = &query.position == &target.position;

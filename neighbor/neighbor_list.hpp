@@ -88,6 +88,10 @@ class NeighborList {
     Range share(int k, int n) const;
 
     std::size_t bytes() const;
+    /// What one loop over the list reads of it.
+    std::size_t loop_bytes() const;
+    /// Clusters of candidates over all blocks; one that is near several blocks counts once for each.
+    std::size_t candidate_clusters() const { return candidate_.size(); }
     void clear();
 
     /// visit(name, member) for each member: a copy of them all is the same list.
@@ -113,6 +117,7 @@ class NeighborList {
     static void for_members(const ListedCluster& c, const Array<Index>& index, Visit&& visit) {
         for (Index l = 0; l < c.size; ++l) visit(c.particle(l, index.data()));
     }
+    std::uint64_t pairs_of_clusters(const ListView::Block& block) const;
     bool holds_any(std::size_t q, std::span<const std::uint8_t> wanted) const;
     void append_block(const NeighborList& from, const ListView::Block& block, std::span<const Index> queries);
 

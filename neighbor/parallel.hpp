@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "neighbor/loop_watch.hpp"
+
 namespace sluice {
 
 /// Below this many items a loop over pairs runs on the calling thread: a team's fork and join cost more than the work.
@@ -29,8 +31,10 @@ void parallel_for(std::size_t n, Body&& body) {
         for (std::size_t i = begin; i < end; ++i) body(i);
     };
     if (n <= light_threshold) return run(0, n);
+    const WatchedLoop loop;
 #pragma omp parallel
     {
+        const WatchedShare share(loop);
         const auto t = static_cast<std::size_t>(omp_get_thread_num());
         const auto threads = static_cast<std::size_t>(omp_get_num_threads());
         run(n * t / threads, n * (t + 1) / threads);
@@ -41,8 +45,13 @@ void parallel_for(std::size_t n, Body&& body) {
 template <class Body>
 void parallel_for_heavy(std::size_t n, Body&& body) {
     const auto count = static_cast<std::int64_t>(n);
-#pragma omp parallel for schedule(dynamic, 4) if (n > 8)
-    for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
+    const WatchedLoop loop;
+#pragma omp parallel if (n > 8)
+    {
+        const WatchedShare share(loop);
+#pragma omp for schedule(dynamic, 4) nowait
+        for (std::int64_t i = 0; i < count; ++i) body(static_cast<std::size_t>(i));
+    }
 }
 
 /// Σ f(i), added up in fixed blocks and then block by block: the same bits for any number of threads.
@@ -59,12 +68,17 @@ T ordered_sum(std::size_t n, F&& f) {
         partial = on_heap.data();
     }
     const auto count = static_cast<std::int64_t>(blocks);
-#pragma omp parallel for schedule(static) if (n > light_threshold)
-    for (std::int64_t k = 0; k < count; ++k) {
-        const auto b = static_cast<std::size_t>(k);
-        T s{};
-        for (std::size_t i = b * block; i < std::min(n, (b + 1) * block); ++i) s += f(i);
-        partial[b] = s;
+    const WatchedLoop loop;
+#pragma omp parallel if (n > light_threshold)
+    {
+        const WatchedShare share(loop);
+#pragma omp for schedule(static) nowait
+        for (std::int64_t k = 0; k < count; ++k) {
+            const auto b = static_cast<std::size_t>(k);
+            T s{};
+            for (std::size_t i = b * block; i < std::min(n, (b + 1) * block); ++i) s += f(i);
+            partial[b] = s;
+        }
     }
     T total{};
     for (std::size_t b = 0; b < blocks; ++b) total += partial[b];
@@ -77,11 +91,16 @@ double nonnegative_max(std::size_t n, F&& f) {
     double largest = 0;
     bool all_finite = true;
     const auto count = static_cast<std::int64_t>(n);
-#pragma omp parallel for schedule(static) reduction(max : largest) reduction(&& : all_finite) if (n > light_threshold)
-    for (std::int64_t i = 0; i < count; ++i) {
-        const double v = f(static_cast<std::size_t>(i));
-        all_finite = all_finite && (v - v == 0);
-        largest = std::max(largest, v);
+    const WatchedLoop loop;
+#pragma omp parallel reduction(max : largest) reduction(&& : all_finite) if (n > light_threshold)
+    {
+        const WatchedShare share(loop);
+#pragma omp for schedule(static) nowait
+        for (std::int64_t i = 0; i < count; ++i) {
+            const double v = f(static_cast<std::size_t>(i));
+            all_finite = all_finite && (v - v == 0);
+            largest = std::max(largest, v);
+        }
     }
     return all_finite ? largest : __builtin_nan("");
 }

@@ -39,8 +39,10 @@ void RadixSorter::sort(Array<std::uint64_t>& keys, Array<Index>& values, int key
     for (int shift = 0; shift < key_bits; shift += digit_bits) {
         const std::uint64_t mask = (std::uint64_t{1} << std::min(digit_bits, key_bits - shift)) - 1;
         offsets_.assign(static_cast<std::size_t>(threads) * digits, 0);
+        const WatchedLoop loop;
 #pragma omp parallel num_threads(threads) if (threads > 1)
         {
+            const WatchedShare share(loop);
             // A runtime may grant fewer threads than asked for: shares are dealt out by share number, not by thread.
             const int granted = omp_get_num_threads();
             for (int t = omp_get_thread_num(); t < threads; t += granted) {

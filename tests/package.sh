@@ -42,7 +42,7 @@ inside 'apt-get update -qq; cd /try
 inside 'cd /try; sluice --version; sluice check dam.toml >/dev/null
     sluice run dam.toml -o results --until 0.05 2>/dev/null | tail -n 3
     test -s results/frames/frame_0002.hdf; sluice view results >/dev/null; sluice render results --video none >/dev/null
-    test -s /usr/share/sluice/summary.schema.json
+    test -s /usr/share/sluice/summary.schema.json; test -s /usr/share/sluice/profile.schema.json
     python3 -c "
 import sluice
 s = sluice.Simulation(\"dam.toml\"); s.step(10)

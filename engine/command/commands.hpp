@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "engine/command/exit_code.hpp"
 
@@ -20,6 +21,8 @@ using Deed = std::function<ExitCode()>;
 void add_run_command(CLI::App& program, Deed& chosen);
 /// `sluice check`: says what a run would do, without one.
 void add_check_command(CLI::App& program, Deed& chosen);
+/// `sluice bench`: measures a scene's steps against the machine.
+void add_bench_command(CLI::App& program, Deed& chosen);
 /// `sluice new`: writes a scene to start from.
 void add_new_command(CLI::App& program, Deed& chosen);
 /// `sluice help`: what scenes may say, what the effects are, the manual page, and short texts on other topics.
@@ -38,5 +41,8 @@ void add_render_command(CLI::App& program, Deed& chosen);
 
 /// results/NAME, where NAME is the scene file's, or its folder's if all scenes are called `scene`.
 std::filesystem::path default_directory(const std::string& scene_file);
+
+/// Those that --isa may name, here.
+std::vector<std::string> isa_names();
 
 }  // namespace sluice

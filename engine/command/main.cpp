@@ -23,6 +23,8 @@ constexpr const char* examples = R"(Examples:
   sluice help effects particle_shifting
   sluice run dam.toml --until 0.1
   sluice run --resume results/dam
+  sluice run dam.toml --until 0.1 --profile
+  sluice bench dam.toml
   sluice study dam.toml --vary method.spacing=x2,x1,x0.5 --vary method.precision=mixed,double
   sluice check dam.toml --target-error 3%
   sluice view results/dam
@@ -59,6 +61,7 @@ int main(int argc, char** argv) {
     sluice::add_new_command(program, chosen);
     sluice::add_run_command(program, chosen);
     sluice::add_check_command(program, chosen);
+    sluice::add_bench_command(program, chosen);
     sluice::add_study_command(program, chosen);
     sluice::add_view_command(program, chosen);
     sluice::add_render_command(program, chosen);

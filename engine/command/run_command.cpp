@@ -14,6 +14,7 @@
 #include "engine/command/thread_settings.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/version.hpp"
+#include "engine/profile/trace_recorder.hpp"
 #include "engine/run.hpp"
 #include "engine/scene/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
@@ -30,13 +31,11 @@ struct RunArguments {
     std::string isa;
     std::string resume;  ///< folder of the run to go on with
     bool force = false;
-};
+    bool profile = false;
+    int traced_steps = 20;
 
-std::vector<std::string> isa_names() {
-    std::vector<std::string> names;
-    for (const Isa isa : available_isas()) names.emplace_back(name_of(isa));
-    return names;
-}
+    std::optional<int> profiled_steps() const { return profile ? std::optional(traced_steps) : std::nullopt; }
+};
 
 /// What is told when a run ends. `expected`: of a whole run's results.
 ExitCode report(const RunStatus& status, const std::string& expected, const std::filesystem::path& directory) {
@@ -59,7 +58,7 @@ ExitCode run_scene(const RunArguments& arguments) {
     for (const std::string& doubt : suspicious_values(scene)) print_warning(doubt);
     std::filesystem::path directory = arguments.directory;
     if (directory.empty()) directory = default_directory(arguments.scene.file);
-    return report(run(scene, {directory, arguments.threads, arguments.until, {}}),
+    return report(run(scene, {directory, arguments.threads, arguments.until, {}, stderr, arguments.profiled_steps()}),
                   arguments.until ? "" : expectation_text(scene), directory);
 }
 
@@ -110,11 +109,18 @@ ExitCode resume_run(const RunArguments& arguments) {
     print_note(fmt::format("going on from {}: step {}, {:.6g} s", point.checkpoint.string(), point.label.step,
                            point.label.time));
     const double until = arguments.until.value_or(point.label.end_time);
-    return report(run(scene, {directory, arguments.threads, until, point.checkpoint}),
-                  arguments.until ? "" : expectation_text(scene), directory);
+    return report(
+        run(scene, {directory, arguments.threads, until, point.checkpoint, stderr, arguments.profiled_steps()}),
+        arguments.until ? "" : expectation_text(scene), directory);
 }
 
 }  // namespace
+
+std::vector<std::string> isa_names() {
+    std::vector<std::string> names;
+    for (const Isa isa : available_isas()) names.emplace_back(name_of(isa));
+    return names;
+}
 
 std::filesystem::path default_directory(const std::string& scene_file) {
     const std::filesystem::path file = std::filesystem::absolute(scene_file).lexically_normal();
@@ -147,6 +153,14 @@ void add_run_command(CLI::App& program, Deed& chosen) {
         ->check(CLI::PositiveNumber);
     command.add_option("--isa", arguments->isa, "Instruction set of the loops over pairs [the best that runs here]")
         ->check(CLI::IsMember(isa_names()));
+    CLI::Option* profile = command.add_flag("--profile", arguments->profile,
+                                            "Say where the time goes: a table, profile.json and trace.json");
+    command
+        .add_option("--trace-steps", arguments->traced_steps,
+                    "With --profile: steps in trace.json, evenly spaced over the run [20]")
+        ->type_name("N")
+        ->check(CLI::Range(0, most_traced_steps))
+        ->needs(profile);
     command.callback([arguments, scene, resume, &chosen] {
         if (scene->empty() && resume->empty()) throw CLI::RequiredError("SCENE");
         const bool resumed = !resume->empty();

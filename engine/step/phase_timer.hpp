@@ -5,6 +5,8 @@
 #include <chrono>
 #include <string_view>
 
+#include "neighbor/loop_watch.hpp"
+
 namespace sluice {
 
 enum class StepPhase {
@@ -34,12 +36,22 @@ inline constexpr std::array<std::string_view, 12> step_phase_names{"neighbour se
                                                                    "update",
                                                                    "output"};
 
+/// A phase, for whoever watches the loops.
+inline const Section& section_of(StepPhase phase) {
+    static constexpr auto sections = [] {
+        std::array<Section, step_phase_names.size()> all;
+        for (std::size_t k = 0; k < all.size(); ++k) all[k].name = step_phase_names[k];
+        return all;
+    }();
+    return sections[static_cast<std::size_t>(phase)];
+}
+
 class PhaseTimer {
   public:
     /// Adds its lifetime to a phase.
     class Scope {
       public:
-        Scope(PhaseTimer& t, StepPhase p) : timer_(t), phase_(p), start_(Clock::now()) {}
+        Scope(PhaseTimer& t, StepPhase p) : timer_(t), phase_(p), watched_(section_of(p)), start_(Clock::now()) {}
         ~Scope() {
             timer_.seconds_[static_cast<std::size_t>(phase_)] +=
                 std::chrono::duration<double>(Clock::now() - start_).count();
@@ -50,6 +62,7 @@ class PhaseTimer {
       private:
         PhaseTimer& timer_;
         StepPhase phase_;
+        WatchedSection watched_;
         std::chrono::steady_clock::time_point start_;
     };
     Scope measure(StepPhase p) { return Scope(*this, p); }

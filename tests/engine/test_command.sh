@@ -48,7 +48,7 @@ expect 0 'on if method.fluid.velocity_filter is not 1' "$program" help effects
 expect 0 "Antoci2007 eq. 16" "$program" help effects velocity_filter
 expect 2 'did you mean "velocity_filter"?' "$program" help effects velocity_fliter
 expect 2 "KEY excludes --markdown" "$program" help effects velocity_filter --markdown
-for topic in units probes output exit-codes environment; do
+for topic in units probes output exit-codes environment profiling; do
     expect 0 "$topic" "$program" help --help
     expect 0 "$(head -n 1 "$topics/$topic.txt")" "$program" help $topic
     [ "$(wc -L <out)" -le 100 ] || fail "help $topic is wider than a terminal"

@@ -5,6 +5,7 @@
 #include "engine/checkpoint/checkpoint_file.hpp"
 #include "engine/output/frame_table.hpp"
 #include "engine/output/probes.hpp"
+#include "engine/profile/step_profile.hpp"
 #include "engine/simulation.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/catch.hpp"
@@ -24,7 +25,12 @@ void take_steps(const Scene& scene) {
     REQUIRE(simulation.fluid().owned + simulation.solid().owned > enough);
     Watch<Dim> watch(simulation);
     const Probes<Dim> probes(simulation);
-    for (int step = 0; step < steps; ++step) simulation.step();
+    StepProfile profile(3, {steps, 0, scene.output.end});
+    for (int step = 0; step < steps; ++step) {
+        const StepProfile::Step watched(step % 2 == 0 ? &profile : nullptr, simulation.work().steps, simulation.time());
+        simulation.step();
+    }
+    REQUIRE(profile.entries().size() > 1);
     watch.look(simulation);
     probes.sample(simulation);
     const CheckpointImage image([&](const StateWriter& writer) { simulation.save(writer); });

@@ -1,6 +1,6 @@
-// The loop that measures arithmetic, compiled once per instruction set. One multiplication and one addition are one
+// The loops that measure a machine, compiled once per instruction set. One multiplication and one addition are one
 // instruction where the level has FMA, two where it has not.
-#include "bench/roofline_loops.hpp"
+#include "engine/profile/roofline_loops.hpp"
 
 #include "neighbor/pack.hpp"
 #include "neighbor/vec.hpp"
@@ -13,15 +13,21 @@ std::uint64_t multiply_add(std::uint64_t rounds) {
     // x → b/(1 − a) = 1: neither overflow nor denormals, however many rounds.
     volatile double a_given = 0.999, b_given = 0.001;
     const Real a(a_given), b(b_given);
-    Real x[bench::accumulators];
-    for (int k = 0; k < bench::accumulators; ++k) x[k] = Real(k);
+    Real x[accumulators];
+    for (int k = 0; k < accumulators; ++k) x[k] = Real(k);
     for (std::uint64_t r = 0; r < rounds; ++r)
-        unroll<bench::accumulators>([&](int k) __attribute__((always_inline)) { x[k] = x[k] * a + b; });
+        unroll<accumulators>([&](int k) __attribute__((always_inline)) { x[k] = x[k] * a + b; });
     Real sum(0);
     for (const Real& value : x) sum += value;
     volatile Number kept = sum.v[0];
     static_cast<void>(kept);
-    return rounds * bench::accumulators * Real::lanes * 2;
+    return rounds * accumulators * Real::lanes * 2;
+}
+
+std::uint64_t triad(double* __restrict a, const double* __restrict b, const double* __restrict c, std::size_t n) {
+    constexpr double s = 3;
+    for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
+    return 3 * sizeof(double) * n;
 }
 
 template std::uint64_t multiply_add<float>(std::uint64_t);
