@@ -194,8 +194,8 @@ void Watch<Dim>::look_at_walls(const Simulation<Dim>& simulation) {
     suspect(
         Suspicion::entry, closest.spacings, closest.spacings < worst, simulation.time(),
         fmt::format("{} is inside a wall, behind its first layer: it goes through; a wall thinner than two spacings, "
-                    "water that starts nearer than half a spacing to its particles, or a courant or sound_speed too "
-                    "small for the impact",
+                    "one whose first layer is less than a third of a spacing behind its face, or a courant or "
+                    "sound_speed too small for the impact",
                     place_of<Dim>(simulation.fluid(), closest.particle, simulation.scene())));
 }
 
