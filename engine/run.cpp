@@ -103,9 +103,10 @@ class Run {
     }
 
     RunStatus execute() {
+        const StopRequest stop;
         try {
             try {
-                advance();
+                advance(stop);
                 finish();
             } catch (const NumericalError& failure) {
                 fail(failure.what());
@@ -152,6 +153,7 @@ class Run {
         record_.resumed_at.push_back(simulation_.work().steps);
         wall_before_ = record_.wall_seconds;
         cpu_before_ = record_.cpu_seconds;
+        disk_wait_before_ = record_.disk_wait_seconds;
     }
 
     template <class Visit>
@@ -165,8 +167,7 @@ class Run {
 
     bool at_end() const { return simulation_.time() >= record_.end_time - simulation_.time_step() / 2; }
 
-    void advance() {
-        const StopRequest stop;
+    void advance(const StopRequest& stop) {
         watch_.check(simulation_);
         if (record_.resumed_at.empty()) {
             write_due();
@@ -182,8 +183,10 @@ class Run {
             progress_.update(progress_state());
         }
         record_.state = at_end() ? RunState::done : RunState::interrupted;
+        if (at_end()) return;
+        progress_.note("stopping, when all is written; the same signal once more stops at once");
         // Before the last state is written out, which in a run that goes on is not due.
-        if (!at_end() && simulation_.scene().output.has_checkpoints()) write_checkpoint();
+        if (simulation_.scene().output.has_checkpoints()) write_checkpoint();
     }
 
     /// A step, and what is due after it.
@@ -250,6 +253,7 @@ class Run {
             const Stopwatch watch(record_.output_seconds);
             if (probe_written_ != simulation_.time()) write_probes();
             if (frames_ && frame_written_ != simulation_.time()) write_frame();
+            sync_output();     // what a disk refuses later than it was written is told too
             writer_.finish();  // what is told of the time that a run took includes it
         }
         update_summary();
@@ -286,8 +290,7 @@ class Run {
         const double before = record_.checkpoint_seconds;
         {
             const Stopwatch watch(record_.checkpoint_seconds);
-            probes_->sync();
-            if (frames_) frames_->sync();
+            sync_output();
             note_time();
             ++record_.checkpoints;
             const auto image = std::make_shared<CheckpointImage>([this](const StateWriter& writer) { save(writer); });
@@ -295,6 +298,11 @@ class Run {
             writer_.add(image->bytes(), [this, image, step] { checkpoints_->write(step, *image); });
         }
         checkpoint_times_.was_written(record_.checkpoint_seconds - before);
+    }
+
+    void sync_output() {
+        probes_->sync();
+        if (frames_) frames_->sync();
     }
 
     void save(const StateWriter& writer) {
@@ -315,6 +323,7 @@ class Run {
     void note_time() {
         record_.wall_seconds = wall_before_ + seconds_since(start_);
         record_.cpu_seconds = cpu_before_ + process_cpu_seconds() - cpu_start_;
+        record_.disk_wait_seconds = disk_wait_before_ + writer_.waited();
     }
 
     void update_summary() {
@@ -376,8 +385,8 @@ class Run {
     std::optional<FrameWriter<Dim>> frames_;
     std::optional<StepProfile> profile_;
     std::string profile_text_;
-    double probe_written_ = -1, frame_written_ = -1;  ///< simulated time of the last one [s]
-    double wall_before_ = 0, cpu_before_ = 0;         ///< of the run up to the checkpoint that it goes on from [s]
+    double probe_written_ = -1, frame_written_ = -1;                  ///< simulated time of the last one [s]
+    double wall_before_ = 0, cpu_before_ = 0, disk_wait_before_ = 0;  ///< up to the checkpoint that it goes on from [s]
     /// Last, so that it has finished before what it writes for goes.
     BackgroundWriter writer_{Hdf5File::is_thread_safe() ? BackgroundWriter::default_capacity : 0};
 };

@@ -314,8 +314,8 @@ Vec<Dim> Simulation<Dim>::contact_force_on(std::size_t body) const {
 }
 
 template <int Dim>
-ClosestPair Simulation<Dim>::closest_pair(Neighbor to, double spacings) const {
-    return sluice::closest_pair(impl_->context, to, spacings);
+ClosestPair Simulation<Dim>::closest_pair(Neighbor to, double spacings, const CountsHere& counts) const {
+    return sluice::closest_pair(impl_->context, to, spacings, counts);
 }
 template <int Dim>
 void Simulation<Dim>::set_step_share(double share) {

@@ -62,7 +62,7 @@ class Simulation {
     Vec<Dim> force_on(std::size_t body) const;          ///< of the fluid on a solid body [N; N/m in 2D]
     Vec<Dim> contact_force_on(std::size_t body) const;  ///< of what a solid body touches [N; N/m in 2D]
     /// Fluid particles nearer than so many spacings to others, fixed walls, or solids that are their moving boundary.
-    ClosestPair closest_pair(Neighbor to, double spacings) const;
+    ClosestPair closest_pair(Neighbor to, double spacings, const CountsHere& counts = {}) const;
     /// Later steps are so much of what they would be: 1 at the start.
     void set_step_share(double share);
     InterfaceBalance interface_balance() const;  ///< worst residual over all steps so far

@@ -15,7 +15,7 @@ namespace sluice {
 namespace {
 
 /// To be raised whenever what is in a checkpoint changes.
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 /// The least that HDF5 allows.
 constexpr std::size_t header_size = 512;
 

@@ -3,23 +3,51 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/cavity.hpp"
 #include "engine/geometry/particle_count.hpp"
 
 namespace sluice {
 namespace {
 
-double sites_along(const Bounds& bounds, std::size_t axis, double spacing) {
-    return std::max(1.0, std::round((bounds.max[axis] - bounds.min[axis]) / spacing));
+/// The sites along one axis.
+struct Row {
+    double spacing = 1, first = 0;  ///< where the first one is [m]
+    double count = 1;               ///< real, since a mistyped spacing can exceed any integer
+};
+
+Row fit_between(const Interval& ends, double distance) {
+    const double length = ends.to - ends.from, sites = std::max(1.0, std::round(length / distance));
+    return {length / sites, ends.from + 0.5 * length / sites, sites};
 }
 
-/// The sites of a bounding box.
+/// A lattice that has faces half a site away from those of the cavity goes on outwards from them.
+Row fit_to_cavity(const Interval& outside, const Interval& cavity, double distance) {
+    const Row plain = fit_between(outside, distance);
+    const double slack = 1e-9 * distance;
+    const bool low = cavity.from > outside.from + slack, high = cavity.to < outside.to - slack;
+    // What is narrower, as a hole for a pipe, would pull the lattice too far apart or together.
+    constexpr double least_sites = 4;
+    if ((!low && !high) || cavity.to - cavity.from < least_sites * distance) return plain;
+    const double spacing = low && high ? fit_between(cavity, distance).spacing : plain.spacing;
+    const double face = low ? cavity.from : cavity.to;
+    const auto sites_within = [&](double length) { return std::floor((length + slack) / spacing + 0.5); };
+    const double below = sites_within(face - outside.from), above = sites_within(outside.to - face);
+    return {spacing, face + (0.5 - below) * spacing, below + above};
+}
+
+Row row_of(const Shape& shape, std::size_t axis, double distance, Fit fit) {
+    const Bounds outside = shape.bounds(), cavity = fit == Fit::cavity ? cavity_of(shape) : outside;
+    return fit_to_cavity({outside.min[axis], outside.max[axis]}, {cavity.min[axis], cavity.max[axis]}, distance);
+}
+
+/// The sites of a box.
 struct Lattice {
-    Lattice(const Bounds& bounds, double distance, int dimension) {
+    Lattice(const Shape& shape, double distance, int dimension, Fit fit) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
-            const double sites = sites_along(bounds, k, distance);
-            count[k] = static_cast<std::int32_t>(sites);
-            spacing[k] = (bounds.max[k] - bounds.min[k]) / sites;
-            origin[k] = bounds.min[k] + 0.5 * spacing[k];
+            const Row row = row_of(shape, k, distance, fit);
+            count[k] = static_cast<std::int32_t>(row.count);
+            spacing[k] = row.spacing;
+            origin[k] = row.first;
         }
     }
     /// action(place, site), ascending in z, y, x, until one returns false.
@@ -40,15 +68,14 @@ struct Lattice {
 
 }  // namespace
 
-double count_sites(const Shape& shape, double spacing, int dimension) {
-    const Bounds bounds = shape.bounds();
+double count_sites(const Shape& shape, double spacing, int dimension, Fit fit) {
     double count = 1;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) count *= sites_along(bounds, k, spacing);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) count *= row_of(shape, k, spacing, fit).count;
     return count;
 }
 
-Packing pack(const Shape& shape, double spacing, int dimension) {
-    const Lattice lattice(shape.bounds(), spacing, dimension);
+Packing pack(const Shape& shape, double spacing, int dimension, Fit fit) {
+    const Lattice lattice(shape, spacing, dimension, fit);
     Packing packing;
     packing.spacing = lattice.spacing;
     packing.volume = lattice.spacing[0] * lattice.spacing[1] * lattice.spacing[2];
@@ -61,9 +88,9 @@ Packing pack(const Shape& shape, double spacing, int dimension) {
     return packing;
 }
 
-bool holds_more_than(double particles, const Shape& shape, double spacing, int dimension) {
+bool holds_more_than(double particles, const Shape& shape, double spacing, int dimension, Fit fit) {
     double found = 0;
-    Lattice(shape.bounds(), spacing, dimension).visit([&](const Point& p, const Site&) {
+    Lattice(shape, spacing, dimension, fit).visit([&](const Point& p, const Site&) {
         found += shape.contains(p);
         return found <= particles;
     });

@@ -20,11 +20,17 @@ struct Packing {
     double volume = 0;            ///< of one particle: the product of the spacings [m³, m² in 2D]
 };
 
-/// The bounding box is divided into a whole number of sites along each axis, as near to `spacing` as can be, so that
+/// What a lattice fits exactly.
+enum class Fit {
+    outside,  ///< the shape's bounding box
+    cavity    ///< the box of what is cut out of it, where that has a face inside: a tank, whose inner faces meet water
+};
+
+/// The box is divided into a whole number of sites along each axis, as near to `spacing` as can be, so that
 /// a box is filled exactly; a site belongs to the packing if its centre lies in the shape.
-Packing pack(const Shape& shape, double spacing, int dimension);
+Packing pack(const Shape& shape, double spacing, int dimension, Fit fit = Fit::outside);
 
 /// How many sites `pack` would look at; as a real number, since a mistyped spacing can exceed any integer.
-double count_sites(const Shape& shape, double spacing, int dimension);
+double count_sites(const Shape& shape, double spacing, int dimension, Fit fit = Fit::outside);
 
 }  // namespace sluice

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "engine/geometry/shape.hpp"
+#include "engine/geometry/packing.hpp"
 
 namespace sluice {
 
-/// Whether `pack` (packing.hpp) would place more particles than that; places none.
-bool holds_more_than(double particles, const Shape& shape, double spacing, int dimension);
+/// Whether `pack` would place more particles than that; places none.
+bool holds_more_than(double particles, const Shape& shape, double spacing, int dimension, Fit fit = Fit::outside);
 
 }  // namespace sluice

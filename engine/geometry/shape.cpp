@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/geometry/cavity.hpp"
+
 namespace sluice {
 namespace {
 
@@ -177,6 +179,18 @@ class Difference : public Shape {
                std::none_of(cut_.begin(), cut_.end(), [&](const ShapePtr& s) { return s->contains(p); });
     }
     Bounds bounds() const override { return base_->bounds(); }
+    Bounds cavity() const {
+        if (cut_.empty()) return bounds();
+        Bounds all = cut_[0]->bounds();
+        for (const ShapePtr& part : cut_) {
+            const Bounds b = part->bounds();
+            for (std::size_t k = 0; k < 3; ++k) {
+                all.min[k] = std::min(all.min[k], b.min[k]);
+                all.max[k] = std::max(all.max[k], b.max[k]);
+            }
+        }
+        return all;
+    }
 
   private:
     ShapePtr base_;
@@ -184,6 +198,11 @@ class Difference : public Shape {
 };
 
 }  // namespace
+
+Bounds cavity_of(const Shape& shape) {
+    const auto* difference = dynamic_cast<const Difference*>(&shape);
+    return difference ? difference->cavity() : shape.bounds();
+}
 
 ShapePtr make_box(const Point& min, const Point& max) { return std::make_shared<Box>(min, max); }
 

@@ -48,13 +48,21 @@ int write_all(int file, std::string_view bytes) {
     return 0;
 }
 
+/// Waits until the disk has a file. 0, or the error.
+int sync(int file) {
+    while (::fsync(file) != 0) {
+        if (errno == EINTR) continue;
+        return errno == EINVAL ? 0 : errno;  // a file system that cannot sync; the bytes are handed over all the same
+    }
+    return 0;
+}
+
 /// Writes a file and waits until the disk has it. 0, or the error.
 int write_and_sync(const std::filesystem::path& path, std::string_view bytes) {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.get() < 0) return errno;
     if (const int error = write_all(file.get(), bytes)) return error;
-    // EINVAL: a file system that cannot sync; the bytes are handed over all the same.
-    if (::fsync(file.get()) != 0 && errno != EINVAL) return errno;
+    if (const int error = sync(file.get())) return error;
     return file.close() == 0 ? 0 : errno;
 }
 
@@ -84,7 +92,7 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
 void sync_folder(const std::filesystem::path& folder) {
     Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (file.get() < 0) fail(folder, "open the folder", errno);
-    if (::fsync(file.get()) != 0 && errno != EINVAL) fail(folder, "write the folder", errno);
+    if (const int error = sluice::sync(file.get())) fail(folder, "write the folder", error);
 }
 
 LineFile::LineFile(std::filesystem::path path) : path_(std::move(path)) {
@@ -107,7 +115,7 @@ LineFile::LineFile(std::filesystem::path path, std::uint64_t size)
 LineFile::~LineFile() { ::close(file_); }
 
 void LineFile::sync() {
-    if (::fsync(file_) != 0 && errno != EINVAL) fail(path_, "write", errno);
+    if (const int error = sluice::sync(file_)) fail(path_, "write", error);
 }
 
 void LineFile::cut_back(std::uint64_t size) {
@@ -118,15 +126,11 @@ void LineFile::cut_back(std::uint64_t size) {
 
 void LineFile::append(std::string line) {
     line += '\n';
-    ssize_t n = -1;
-    do {
-        n = ::write(file_, line.data(), line.size());
-    } while (n < 0 && errno == EINTR);
-    if (n == static_cast<ssize_t>(line.size())) {
-        size_ += n;
+    const int error = write_all(file_, line);
+    if (error == 0) {
+        size_ += static_cast<long long>(line.size());
         return;
     }
-    const int error = n < 0 ? errno : ENOSPC;
     // The line counts only as a whole. A device that cannot be cut has nothing to take back.
     [[maybe_unused]] const int cut = ::ftruncate(file_, size_);
     fail(path_, "write", error);

@@ -19,7 +19,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
 /// OutputError.
 void sync_folder(const std::filesystem::path& folder);
 
-/// A text file that grows by whole lines. Each line is one write(2); a line that does not fit is taken back.
+/// A text file that grows by whole lines. A line is one write(2) unless the disk takes less; one that does not fit is
+/// taken back.
 class LineFile {
   public:
     /// Starts an empty file. Throws OutputError.

@@ -1,5 +1,6 @@
 #include "engine/output/background_writer.hpp"
 
+#include <chrono>
 #include <utility>
 
 namespace sluice {
@@ -17,10 +18,18 @@ BackgroundWriter::~BackgroundWriter() {
     if (thread_.joinable()) thread_.join();
 }
 
+template <class Done>
+void BackgroundWriter::wait(std::unique_lock<std::mutex>& lock, Done&& done) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    changed_.wait(lock, done);
+    waited_ += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 void BackgroundWriter::add(std::size_t bytes, Task task) {
     if (!thread_.joinable()) return task();
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return fault_ || queue_.empty() || bytes_ + bytes <= capacity_; });
+    wait(lock, [&] { return fault_ || queue_.empty() || bytes_ + bytes <= capacity_; });
     throw_fault();
     queue_.push_back({bytes, std::move(task)});
     bytes_ += bytes;
@@ -29,7 +38,7 @@ void BackgroundWriter::add(std::size_t bytes, Task task) {
 
 void BackgroundWriter::finish() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return fault_ || (queue_.empty() && !busy_); });
+    wait(lock, [&] { return fault_ || (queue_.empty() && !busy_); });
     throw_fault();
 }
 

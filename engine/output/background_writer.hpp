@@ -30,6 +30,9 @@ class BackgroundWriter {
     /// the program had stopped there. Only once: it goes on with what is added afterwards.
     void finish();
 
+    /// How long `add` and `finish` have waited for the disk. [s]
+    double waited() const { return waited_; }
+
     /// A few frames of a large scene. It is small beside the scene's own memory.
     static constexpr std::size_t default_capacity = 64 << 20;
 
@@ -38,11 +41,14 @@ class BackgroundWriter {
         std::size_t bytes;
         Task task;
     };
+    template <class Done>
+    void wait(std::unique_lock<std::mutex>& lock, Done&& done);
     void work();
     void throw_fault();
 
     std::size_t capacity_;
     std::size_t bytes_ = 0;  ///< that wait
+    double waited_ = 0;      ///< [s]
     bool busy_ = false, stop_ = false;
     std::exception_ptr fault_;
     std::deque<Waiting> queue_;

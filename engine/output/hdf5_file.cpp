@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include "engine/errors.hpp"
 
@@ -56,8 +57,8 @@ hid_t create_in_memory(std::size_t user_block) {
     check(H5Pset_obj_track_times(creation.get(), false), "switch times off");
     if (user_block > 0) check(H5Pset_userblock(creation.get(), user_block), "leave room in front");
     check(H5Pset_istore_k(creation.get(), index_fanout), "size the chunk index");
-    // The name only tells open files apart; nothing of that name is touched. Two may be open at once.
-    static unsigned count = 0;
+    // The name only tells open files apart; nothing of that name is touched. Two threads may make one at once.
+    static std::atomic<unsigned> count = 0;
     const std::string name = fmt::format("sluice-memory-{}", count++);
     return H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.get(), access.get());
 }

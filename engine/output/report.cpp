@@ -25,6 +25,12 @@ std::string phase_table(const std::vector<double>& seconds) {
     return text;
 }
 
+/// Where steps have waited for a slow disk, what they take is not what the run takes.
+std::string disk_wait(const RunRecord& record) {
+    if (!(record.disk_wait_seconds > 0.01 * record.wall_seconds)) return "";
+    return fmt::format(", waiting for the disk {:.2f} s", record.disk_wait_seconds);
+}
+
 /// Weak compressibility: the density error goes with the square of the Mach number.
 std::string mach_warning(double max_mach, const Method& method) {
     if (!(max_mach > method.mach_limit)) return "";
@@ -68,8 +74,8 @@ std::string report_text(const Simulation<Dim>& simulation, const RunRecord& reco
     text += row("neighbour builds", fmt::format("{}", work.neighbour_builds));
     text += row("particle-steps/s", short_number(record.rate(particle_steps)));
     text += row("pairs/s", short_number(record.rate(pairs)));
-    text +=
-        row("wall time", fmt::format("{:.2f} s, of which set-up {:.2f} s", record.wall_seconds, record.setup_seconds));
+    text += row("wall time", fmt::format("{:.2f} s, of which set-up {:.2f} s{}", record.wall_seconds,
+                                         record.setup_seconds, disk_wait(record)));
     text += row("CPU time", fmt::format("{:.2f} s, {} threads, {}, {} precision", record.cpu_seconds, record.threads,
                                         name_of(active_isa()), simulation.scene().method.precision));
     text += row("peak memory", memory_text(static_cast<double>(peak_memory_bytes())));

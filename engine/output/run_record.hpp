@@ -32,6 +32,7 @@ struct RunRecord {
     double step_seconds = 0;                ///< wall time in time steps alone; rates refer to it
     double output_seconds = 0;              ///< wall time in frames, probes and summaries
     double checkpoint_seconds = 0;          ///< wall time in writing checkpoints; not part of the output's
+    double disk_wait_seconds = 0;           ///< of both, waiting for the disk
     std::uint64_t checkpoints = 0;          ///< written
     std::vector<std::uint64_t> resumed_at;  ///< steps after which the run was gone on with
     std::uint64_t looks = 0;                ///< at the state, by the watch
@@ -51,6 +52,7 @@ struct RunRecord {
         visit("step_seconds", step_seconds), visit("output_seconds", output_seconds);
         visit("checkpoint_seconds", checkpoint_seconds), visit("checkpoints", checkpoints);
         visit("resumed_at", resumed_at), visit("retry_count", retry_count);
+        visit("disk_wait_seconds", disk_wait_seconds);
     }
 
     /// `count` per second of stepping; 0 before the first step.

@@ -49,6 +49,7 @@ void add_cost(Json& json, const Simulation<Dim>& simulation, const RunRecord& re
     json["setup_seconds"] = record.setup_seconds;
     json["step_seconds"] = record.step_seconds;
     json["checkpoints"] = {{"written", record.checkpoints}, {"seconds", record.checkpoint_seconds}};
+    json["disk_wait_seconds"] = record.disk_wait_seconds;
     json["resumed_at_steps"] = record.resumed_at;
     const std::vector<double> seconds = seconds_per_phase(simulation.timer(), record);
     Json& phases = json["seconds_per_phase"];

@@ -23,22 +23,23 @@ bool is_solid(const Scene& scene, const Body& body) {
 }
 
 /// `room`: how many particles the memory still holds; less by those that are placed.
-Packing pack_region(const Scene& scene, const std::string& owner, const Shape& shape, double spacing, double& room) {
+Packing pack_region(const Scene& scene, const std::string& owner, const Shape& shape, double spacing, Fit fit,
+                    double& room) {
     // Particle numbers and lattice coordinates have 32 bits.
     constexpr double most = std::numeric_limits<std::int32_t>::max();
-    const double sites = count_sites(shape, spacing, scene.dimension);
+    const double sites = count_sites(shape, spacing, scene.dimension, fit);
     if (!(sites <= most))
         scene.fail(spacing_key(scene, owner),
                    fmt::format("found {} m, which makes {:.2g} lattice sites for {}, expected "
                                "a spacing that makes {:.2g} at the most",
                                spacing, sites, owner, most));
     // Placing them is what would fill the memory first.
-    if (sites > room && holds_more_than(room, shape, spacing, scene.dimension))
+    if (sites > room && holds_more_than(room, shape, spacing, scene.dimension, fit))
         scene.fail(spacing_key(scene, owner),
                    fmt::format("found {} m, which makes more than the {:.2g} particles for {} that fit into the free "
                                "memory; expected {:.2g} m or more",
                                spacing, room, owner, spacing * std::pow(sites / room, 1.0 / scene.dimension)));
-    Packing packing = pack(shape, spacing, scene.dimension);
+    Packing packing = pack(shape, spacing, scene.dimension, fit);
     room -= static_cast<double>(packing.position.size());
     return packing;
 }
@@ -165,7 +166,7 @@ std::vector<Packing> pack_bodies(const Scene& scene) {
     std::vector<Packing> packings;
     double room = particles_in(available_memory(), scene.dimension);
     for (const Body& body : scene.bodies)
-        packings.push_back(pack_region(scene, key_of(body), *body.shape, body.spacing, room));
+        packings.push_back(pack_region(scene, key_of(body), *body.shape, body.spacing, Fit::outside, room));
     return packings;
 }
 
@@ -174,7 +175,7 @@ std::vector<Packing> pack_walls(const Scene& scene) {
     double room = particles_in(available_memory(), scene.dimension);
     for (const Wall& wall : scene.walls)
         packings.push_back(wall.kind == WallKind::fixed
-                               ? pack_region(scene, key_of(wall), *wall.shape, wall.spacing, room)
+                               ? pack_region(scene, key_of(wall), *wall.shape, wall.spacing, Fit::cavity, room)
                                : Packing{});
     return packings;
 }

@@ -9,7 +9,7 @@
 namespace sluice {
 
 template <int Dim>
-ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings) {
+ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings, const CountsHere& counts) {
     if (to == Neighbor::wall && !c.has(Effect::fixed_wall)) return {};
     if (to == Neighbor::solid && !c.has(Effect::moving_boundary)) return {};
     const auto& fluid = c.state.fluid;
@@ -21,6 +21,9 @@ ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings
     if (to == Neighbor::fluid) look(view_of(fluid), c.neighbors.fluid_fluid);
     if (to == Neighbor::wall) look(view_of(c.state.wall), c.neighbors.fluid_wall);
     if (to == Neighbor::solid) look(view_of(c.state.boundary), c.neighbors.fluid_boundary);
+    if (counts)
+        for (Index i = 0; i < crowding.size(); ++i)
+            if (crowding[i] > of_itself && !counts(i)) crowding[i] = of_itself;
     const auto count = std::count_if(crowding.begin(), crowding.end(), [&](double sum) { return sum > of_itself; });
     if (count == 0) return {};
     const auto most = std::max_element(crowding.begin(), crowding.end());
@@ -29,7 +32,7 @@ ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings
             static_cast<Index>(most - crowding.begin())};
 }
 
-template ClosestPair closest_pair<2>(const StepContext<2>&, Neighbor, double);
-template ClosestPair closest_pair<3>(const StepContext<3>&, Neighbor, double);
+template ClosestPair closest_pair<2>(const StepContext<2>&, Neighbor, double, const CountsHere&);
+template ClosestPair closest_pair<3>(const StepContext<3>&, Neighbor, double, const CountsHere&);
 
 }  // namespace sluice

@@ -1,6 +1,8 @@
 // The pair of particles that has come closest, if any has come too close.
 #pragma once
 
+#include <functional>
+
 #include "neighbor/neighbor_list.hpp"
 
 namespace sluice {
@@ -15,16 +17,19 @@ struct ClosestPair {
     Index particle = 0;  ///< index of the fluid particle
 };
 
+/// Which fluid particles count, by their index; all if it is empty.
+using CountsHere = std::function<bool(Index)>;
+
 template <int Dim>
 struct StepContext;
 
 /// Looks at each fluid particle for neighbours nearer than so many spacings among the fluid, among fixed walls, or
 /// among solids that are the fluid's moving boundary; none if the scene has no such neighbours. A pass over their
-/// pairs.
+/// pairs; `counts` is asked for what is near only.
 template <int Dim>
-ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings);
+ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings, const CountsHere& counts = {});
 
-extern template ClosestPair closest_pair<2>(const StepContext<2>&, Neighbor, double);
-extern template ClosestPair closest_pair<3>(const StepContext<3>&, Neighbor, double);
+extern template ClosestPair closest_pair<2>(const StepContext<2>&, Neighbor, double, const CountsHere&);
+extern template ClosestPair closest_pair<3>(const StepContext<3>&, Neighbor, double, const CountsHere&);
 
 }  // namespace sluice

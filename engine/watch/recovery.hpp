@@ -15,7 +15,7 @@ class Recovery {
         state_.push_back({step, std::move(image)});
         if (state_.size() > 2) state_.pop_front();
     }
-    /// Every thousand steps: a state costs less than a step.
+    /// Every thousand steps: a state costs about a step.
     bool due(std::uint64_t step) const { return state_.empty() || step % interval == 0; }
 
     struct Good {

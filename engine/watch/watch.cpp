@@ -6,12 +6,15 @@
 #include <cmath>
 
 #include "engine/errors.hpp"
+#include "engine/watch/inside_walls.hpp"
 #include "engine/watch/state_check.hpp"
 
 namespace sluice {
 namespace {
 
-constexpr double density_over_mach2 = 10, nearest_fluid = 0.2, nearest_boundary = 0.35, crowded_share = 0.01,
+/// From the middle of a cube of eight particles to each of them. [spacings]
+constexpr double any_place_in_wall = 0.87;
+constexpr double density_over_mach2 = 10, nearest_fluid = 0.2, nearest_solid = 0.35, crowded_share = 0.01,
                  energy_margin = 0.05, energy_broken = 10;
 
 template <int Dim>
@@ -100,8 +103,8 @@ void Watch<Dim>::look(const Simulation<Dim>& simulation) {
         look_at_speed(simulation);
         look_at_density(simulation);
         look_at_crowds(simulation);
-        look_at_entries(simulation, Neighbor::wall);
-        look_at_entries(simulation, Neighbor::solid);
+        look_at_walls(simulation);
+        look_at_solids(simulation);
     }
     if (energy_is_closed_) look_at_energy(simulation);
 }
@@ -182,15 +185,30 @@ void Watch<Dim>::look_at_crowds(const Simulation<Dim>& simulation) {
 }
 
 template <int Dim>
-void Watch<Dim>::look_at_entries(const Simulation<Dim>& simulation, Neighbor into) {
-    const ClosestPair closest = simulation.closest_pair(into, nearest_boundary);
+void Watch<Dim>::look_at_walls(const Simulation<Dim>& simulation) {
+    const InsideWalls<Dim> inside(simulation);
+    const auto gone_through = [&](Index i) { return inside(simulation.fluid().position[i]); };
+    const ClosestPair closest = simulation.closest_pair(Neighbor::wall, any_place_in_wall, gone_through);
     if (closest.count == 0) return;
     const double worst = warnings_[static_cast<std::size_t>(Suspicion::entry)].worst;
-    suspect(Suspicion::entry, closest.spacings, closest.spacings < worst, simulation.time(),
-            fmt::format("{} is {:.2g} spacings from {}: it goes through; a solid or wall thinner than two spacings, or "
-                        "a courant or sound_speed too small for the impact",
-                        place_of<Dim>(simulation.fluid(), closest.particle, simulation.scene()), closest.spacings,
-                        into == Neighbor::wall ? "a wall's" : "a solid's"));
+    suspect(
+        Suspicion::entry, closest.spacings, closest.spacings < worst, simulation.time(),
+        fmt::format("{} is inside a wall, behind its first layer: it goes through; a wall thinner than two spacings, "
+                    "one whose first layer is less than a third of a spacing behind its face, or a courant or "
+                    "sound_speed too small for the impact",
+                    place_of<Dim>(simulation.fluid(), closest.particle, simulation.scene())));
+}
+
+template <int Dim>
+void Watch<Dim>::look_at_solids(const Simulation<Dim>& simulation) {
+    const ClosestPair closest = simulation.closest_pair(Neighbor::solid, nearest_solid);
+    if (closest.count == 0) return;
+    const double worst = warnings_[static_cast<std::size_t>(Suspicion::entry)].worst;
+    suspect(
+        Suspicion::entry, closest.spacings, closest.spacings < worst, simulation.time(),
+        fmt::format("{} is {:.2g} spacings from a solid's: it goes through; a solid thinner than two spacings, or a "
+                    "courant or sound_speed too small for the impact",
+                    place_of<Dim>(simulation.fluid(), closest.particle, simulation.scene()), closest.spacings));
 }
 
 template <int Dim>

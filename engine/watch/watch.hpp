@@ -33,7 +33,8 @@ inline constexpr std::array<std::string_view, 6> suspicion_names{"mach",  "densi
 ///   density   |ρ/ρ0 − 1| > 10 × mach_limit²: pressures of the speed itself change it by Ma²/2
 ///   crowding  a hundredth of the fluid's particles nearer than 0.2 spacings to another: pairing, beyond the few that
 ///             meet in spray
-///   entry     a fluid particle nearer than 0.35 spacings to a fixed wall's or a solid's: it is about to go through
+///   entry     a fluid particle nearer than 0.35 spacings to a solid's: it is about to go through; or in a fixed wall,
+///             behind its first layer
 ///   energy    grown by more than a twentieth of what there was at the start in motion, pressure and strain, and by
 ///             gravity down to the lowest particle. Not where walls or a driven acceleration do work
 template <int Dim>
@@ -65,7 +66,8 @@ class Watch {
     void look_at_speed(const Simulation<Dim>& simulation);
     void look_at_density(const Simulation<Dim>& simulation);
     void look_at_crowds(const Simulation<Dim>& simulation);
-    void look_at_entries(const Simulation<Dim>& simulation, Neighbor into);
+    void look_at_walls(const Simulation<Dim>& simulation);
+    void look_at_solids(const Simulation<Dim>& simulation);
     void look_at_energy(const Simulation<Dim>& simulation);
 
     bool forgiving_;           ///< the policy is to warn

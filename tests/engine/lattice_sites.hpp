@@ -11,7 +11,7 @@ inline double lattice_sites(const Scene& scene) {
     double sites = 0;
     for (const Body& body : scene.bodies) sites += count_sites(*body.shape, body.spacing, scene.dimension);
     for (const Wall& wall : scene.walls)
-        if (wall.kind == WallKind::fixed) sites += count_sites(*wall.shape, wall.spacing, scene.dimension);
+        if (wall.kind == WallKind::fixed) sites += count_sites(*wall.shape, wall.spacing, scene.dimension, Fit::cavity);
     return sites;
 }
 

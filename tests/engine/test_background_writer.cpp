@@ -36,6 +36,7 @@ TEST_CASE("A slow disk holds nobody up until the queue is full, and then the one
     disk.set_value();
     fourth.wait();
     CHECK(added == 1);
+    CHECK(writer.waited() > 0);
     writer.finish();
 }
 

@@ -170,6 +170,39 @@ TEST_CASE("polygons that cross themselves are found", "[shape]") {
     CHECK(polygon_area({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}) == 0);
 }
 
+TEST_CASE("A tank's lattice fits what is cut out of it, whatever its walls' thickness", "[shape][packing]") {
+    // A cavity of 1 x 0.5, open above; walls of 0.23, 0.31 at the right and 0.27 below.
+    const auto tank = make_difference(make_box({-0.23, -0.27, 0}, {1.31, 0.8, 0}), {make_box({0, 0, 0}, {1, 0.9, 0})});
+    const Packing p = pack(*tank, 0.1, 2, Fit::cavity);
+    double left = -1, right = 9, below = -1;
+    for (const Point& x : p.position) {
+        CHECK(tank->contains(x));
+        if (x[1] > 0 && x[0] < 0) left = std::max(left, x[0]);
+        if (x[1] > 0 && x[0] > 0) right = std::min(right, x[0]);
+        if (x[0] > 0 && x[0] < 1) below = std::max(below, x[1]);
+    }
+    CHECK(left == Approx(-0.05));
+    CHECK(right == Approx(1.05));
+    CHECK(below == Approx(-p.spacing[1] / 2));
+    CHECK(p.spacing[0] == Approx(0.1));
+    CHECK(count_sites(*tank, 0.1, 2, Fit::cavity) >= static_cast<double>(p.position.size()));
+    for (const Site& site : p.site) CHECK(std::min({site[0], site[1], site[2]}) >= 0);
+
+    SECTION("where the thickness is whole, and where there is no cavity, it is the lattice of the outside") {
+        const auto whole =
+            make_difference(make_box({-0.3, -0.3, 0}, {1.3, 0.8, 0}), {make_box({0, 0, 0}, {1, 0.9, 0})});
+        const auto box = make_box({0, 0, 0}, {1, 0.33, 0});
+        const auto pierced = make_difference(box, {make_box({0.31, 0.1, 0}, {0.52, 0.2, 0})});
+        for (const auto& shape : {whole, box, pierced}) {
+            const Packing inner = pack(*shape, 0.1, 2, Fit::cavity), outer = pack(*shape, 0.1, 2);
+            REQUIRE(inner.position.size() == outer.position.size());
+            for (std::size_t k = 0; k < inner.position.size(); ++k)
+                for (std::size_t axis = 0; axis < 2; ++axis)
+                    CHECK(inner.position[k][axis] == Approx(outer.position[k][axis]).margin(1e-12));
+        }
+    }
+}
+
 TEST_CASE("union and difference count each site once", "[shape][packing]") {
     const auto left = make_box({0, 0, 0}, {0.6, 1, 0}), right = make_box({0.4, 0, 0}, {1, 1, 0});
     CHECK(pack(*make_union({left, right}), 0.1, 2).position.size() == 100);

@@ -5,6 +5,7 @@
 #include "engine/checkpoint/checkpoint_store.hpp"
 #include "engine/errors.hpp"
 #include "engine/run.hpp"
+#include "engine/watch/inside_walls.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
@@ -92,6 +93,36 @@ TEST_CASE("A flow too fast for its sound speed is named once, with the sound spe
                               Catch::Contains("raise materials.water.sound_speed to 45"));
     CHECK(watch.take_news().size() == 1);
     CHECK(watch.take_news().empty());
+}
+
+TEST_CASE("A fixed wall is entered behind its first layer, not in its face, also where it has moved to") {
+    // A floor of four layers and, on top of its end, a block that moves: faces at y = 0 and x = 0.04 + t.
+    const std::string walls = R"toml(
+[walls.floor]
+kind = "fixed"
+shape = { box = { min = [0.0, -0.02], max = [0.06, 0.0] } }
+[walls.block]
+kind = "fixed"
+shape = { box = { min = [0.04, 0.0], max = [0.06, 0.02] } }
+motion.displacement = ["t", "0"]
+)toml";
+    Simulation<2> s(scene_text::load(preamble(0.005) + water_box("0.0, 0.0", "0.03, 0.02") + walls));
+    const double d = 0.005;
+    const auto inside = [&](double x, double y) { return InsideWalls<2>(s)(Vec<2>{x, y}); };
+    CHECK_FALSE(inside(0.02, 0.5 * d));
+    CHECK_FALSE(inside(0.02, -0.4 * d));
+    CHECK(inside(0.02, -0.8 * d));
+    CHECK_FALSE(inside(0.02, -3.8 * d));  // in the face below
+    CHECK(inside(0.05, 0));               // between the two
+    CHECK(inside(0.04 + 0.8 * d, 0.01));
+    advance(s, 20);
+    const double moved = s.time();
+    REQUIRE(moved > 0);
+    CHECK_FALSE(inside(0.04 + moved + 0.55 * d, 0.01));
+    CHECK(inside(0.04 + moved + 0.65 * d, 0.01));
+    Watch<2> watch(s);
+    watch.look(s);
+    CHECK(warning_of(watch, "entry").looks == 0);
 }
 
 TEST_CASE("Water inside a solid is named") {
