@@ -165,12 +165,19 @@ class Workshop:
                 yield self.build / name.split(":")[0]
 
     def make(self, targets):
-        self.call(["cmake", "--build", self.build, "-j", str(self.jobs), "--target", *targets])
+        self.call(["ninja", "-C", self.build, "-j", str(self.jobs), *targets])
 
     def call(self, command):
-        done = subprocess.run([*map(str, command)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        if done.returncode:
-            raise Error(done.stdout[-4000:])
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+        with subprocess.Popen([*map(str, command)], **pipes) as child:
+            try:
+                said, _ = child.communicate()
+            except KeyboardInterrupt:  # no compiler may read the sources that are taken back: a cache would keep what it makes
+                child.terminate()
+                child.communicate()
+                raise
+        if child.returncode:
+            raise Error(said[-4000:])
 
     def check(self, kind, name):
         """What noticed: an empty text if the check passes."""
