@@ -27,6 +27,9 @@ UNMUTATED = {"name": "(none)"}
 MATTER = (".hpp", ".cpp", ".py", ".toml", ".csv", ".txt")  # files that the outcome of a check depends on
 # What takes longer than this hangs: unmutated, the longest case takes 30 s of two cores, test_engine some minutes. [s]
 LONGEST = {"validation": 600.0, "test": 900.0}
+STOPPED = {-signal.SIGINT, -signal.SIGKILL, -signal.SIGTERM}  # exit codes that tell nothing of the program
+# Instruction sets of neighbor/isa.cmake, worst first, and what a processor says if it has them.
+LEVELS = {"baseline": set(), "avx2": {"avx2", "fma"}, "avx512": {"avx512f", "avx512bw", "avx512dq", "avx512vl"}}
 
 
 class Error(Exception):
@@ -104,16 +107,22 @@ def copy_sources(source):
 
 
 @contextmanager
-def applied(source, mutation):
+def applied(shop, mutation):
+    """The mutated file is as old as it was: only what is deleted is built again."""
     if mutation is UNMUTATED:
         yield
         return
-    path = source / mutation["file"]
+    path, start = shop.source / mutation["file"], time.time()
+    old = path.stat()
     path.write_text(mutated_text(mutation))
+    os.utime(path, ns=(old.st_atime_ns, old.st_mtime_ns))
     try:
+        shop.forget(mutation, everything=False)
         yield
     finally:
         path.write_bytes((ROOT / mutation["file"]).read_bytes())
+        os.utime(path, ns=(old.st_atime_ns, old.st_mtime_ns))
+        shop.forget(mutation, everything=True, since=start - 1)
 
 
 # Building and checking
@@ -122,7 +131,8 @@ class Workshop:
     """The copy, its build, and what was found out so far."""
 
     def __init__(self, options):
-        self.source, self.build = options.scratch / "source", options.scratch / "build"
+        # The build within the copy, as in a clone: so a compiler cache (ccache) knows what it has built there.
+        self.source, self.build = options.scratch / "source", options.scratch / "source" / "build"
         self.runs, self.jobs = options.scratch / "runs", options.jobs
         self.store = options.scratch / "checks.json"
         self.found = json.loads(self.store.read_text()) if self.store.exists() else {}
@@ -130,19 +140,44 @@ class Workshop:
 
     def prepare(self):
         copy_sources(self.source)
-        if not (self.build / "build.ninja").exists():
-            # One instruction set, no debugging symbols: built fast. A mutation may leave a name unused: no warning counts.
-            self.call(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
-                       "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2 -DNDEBUG", "-DSLUICE_BENCH=OFF"])
+        if not (self.build / "build.ninja").exists():  # a mutation may leave a name unused: no warning counts
+            self.call(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                       "-DSLUICE_BENCH=OFF"])
+        self.make(["sluice_command"])  # without a mutation
+
+    def forget(self, mutation, everything, since=0.0):
+        """Deletes the objects that a mutation concerns, so that they are built again. Not everything: not the loops of
+        instruction sets that do not run, nor what only includes the mutated file where the list names its callers. These would
+        take most of a build."""
+        slow = tuple(f"_{level}.dir" for level in LEVELS if level != best_level())
+        callers = [Path(caller).name + ".o" for caller in mutation.get("callers", ())]
+        for path in self.objects_of(mutation["file"]):
+            left = path.parent.name.endswith(slow) or callers and path.name not in callers
+            if path.exists() and path.stat().st_mtime >= since and (everything or not left):
+                path.unlink()
+
+    def objects_of(self, file):
+        """That include it, as far as they are built."""
+        told = subprocess.run(["ninja", "-C", self.build, "-t", "deps"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        for block in told.split("\n\n"):
+            name, *files = block.split("\n")
+            if any(one.endswith(f"/{file}") for one in files):
+                yield self.build / name.split(":")[0]
 
     def make(self, targets):
-        self.call(["cmake", "--build", self.build, "-j", str(self.jobs), "--target", *targets])
+        self.call(["ninja", "-C", self.build, "-j", str(self.jobs), *targets])
 
     def call(self, command):
-        words = ["nice", "-n", "5", *map(str, command)]
-        done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        if done.returncode:
-            raise Error(done.stdout[-4000:])
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+        with subprocess.Popen([*map(str, command)], **pipes) as child:
+            try:
+                said, _ = child.communicate()
+            except KeyboardInterrupt:  # no compiler may read the sources that are taken back: a cache would keep what it makes
+                child.terminate()
+                child.communicate()
+                raise
+        if child.returncode:
+            raise Error(said[-4000:])
 
     def check(self, kind, name):
         """What noticed: an empty text if the check passes."""
@@ -158,6 +193,8 @@ class Workshop:
                 child.communicate()
                 if isinstance(reason, KeyboardInterrupt):
                     raise
+        if code in STOPPED:
+            raise Error(f"{name}: stopped from outside")
         return "" if code == 0 else symptom(kind, code, said)
 
     def command(self, kind, name):
@@ -188,6 +225,12 @@ class Workshop:
 
 def digest(texts):
     return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
+
+
+def best_level():
+    """That the program takes (neighbor/isa.cpp)."""
+    flags = set(Path("/proc/cpuinfo").read_text().split())
+    return max((level for level in LEVELS if LEVELS[level] <= flags), key=list(LEVELS).index)
 
 
 def folder_of(case):
@@ -229,14 +272,14 @@ def work(shop, mutations, options):
     failed_builds = 0
     for m, checks in todo:
         try:
-            with applied(shop.source, m):
+            with applied(shop, m):
                 run_checks(shop, m, checks, progress, options.first)
         except Error as error:
             if m is UNMUTATED:
                 raise
             failed_builds += 1
             progress.done += len(checks)
-            print(f"{m['name']}: cannot be built\n{error}", file=sys.stderr)
+            print(f"{m['name']}: cannot be built or checked\n{error}", file=sys.stderr)
         write_results(shop, read_mutations())
     return failed_builds
 
@@ -263,13 +306,19 @@ def run_checks(shop, mutation, checks, progress, first):
         ours = [one for one in checks if one[1] == kind]
         if not ours:
             continue
-        shop.make(["sluice_command"] if kind == "validation" else [f"test_{name}" for _, _, name in ours])
+        if kind == "test" and mutation is not UNMUTATED:
+            shop.forget(mutation, everything=True)  # they compare the instruction sets
+        shop.make(sorted({target(kind, name) for _, _, name in ours}))
         for key, _, name in ours:
             seen = shop.check(kind, name)
             shop.keep(key, seen)
             progress.say(mutation, f"{name} " + (f"noticed ({seen})" if seen else "passed"))
             if seen and first and kind == "validation" and mutation is not UNMUTATED:
                 break
+
+
+def target(kind, name):
+    return "sluice_command" if kind == "validation" else f"test_{name}"
 
 
 # The report
@@ -325,6 +374,7 @@ def main():
     unknown |= set(options.only or ()) - {m["name"] for m in mutations}
     if unknown:
         raise Error(f"there is no {', '.join(sorted(unknown))}")
+    os.nice(5)
     shop = Workshop(options)
     failed_builds = 0
     if not options.report:

@@ -10,6 +10,7 @@ sys.path.insert(0, str(FOLDER.parent))
 
 from lib import case, convergence, style  # noqa: E402
 from lib.case import Errors, Figure, Result, Table  # noqa: E402
+from lib.curves import crossings  # noqa: E402
 from lib.markdown import number  # noqa: E402
 from lib.run_output import FLUID  # noqa: E402
 from lib.verdict import Verdict  # noqa: E402
@@ -59,7 +60,8 @@ def amplitudes(run):
 def measure(run, count, smoothing_function):
     time, value = amplitudes(run)
     exact = damping(count)
-    omega, gamma = damped_oscillation(time, value, K * C, exact)
+    period = np.diff(crossings(time, value, upward=True)).mean()  # so that the fit finds it, however wrong it is
+    omega, gamma = damped_oscillation(time, value, 2 * np.pi / period, exact)
     ratio = np.hypot(omega, gamma) / (K * C)  # of the wave without damping
     return {"frequency": ratio / on_lattice(smoothing_function, count) - 1, "frequency / c k": ratio,
             "damping": gamma / exact - 1, "CPU [s]": run.summary["cpu_seconds"]}
