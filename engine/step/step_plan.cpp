@@ -7,6 +7,7 @@
 
 #include "engine/effects.hpp"
 #include "engine/errors.hpp"
+#include "engine/scene/light_solid.hpp"
 #include "engine/state/state.hpp"
 
 namespace sluice {
@@ -30,19 +31,20 @@ constexpr double contact_step_ratio = 0.85;
 template <int Dim>
 std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state) {
     std::vector<CourantLimit> limits;
-    const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium, double sound_speed) {
+    const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium, double sound_speed,
+                         double share) {
         const double h = *std::min_element(phase.smoothing_length.begin(), phase.smoothing_length.end());
         const double nu = medium->viscosity;
-        const double dt = scene.method.courant * h / sound_speed;
+        const double dt = share * scene.method.courant * h / sound_speed;
         limits.push_back({medium->name, nu > 0 ? std::min(dt, 0.125 * h * h / nu) : dt, h, sound_speed, nu});
     };
-    if (state.water) add(state.fluid, state.water, state.water->eos.sound_speed);
+    if (state.water) add(state.fluid, state.water, state.water->eos.sound_speed, light_solid(scene).step_share);
     if (!state.rubber) return limits;
     // The paper takes the speed of compression, √(K/ρ); nothing holds the fastest waves back in the other solid.
     const bool reference = state.solid.deformation.size() > 0;
     const Medium& rubber = *state.rubber;
     const double fastest = std::sqrt(rubber.law.wave_modulus() / rubber.eos.density);
-    add(state.solid, state.rubber, reference ? fastest : rubber.eos.sound_speed);
+    add(state.solid, state.rubber, reference ? fastest : rubber.eos.sound_speed, 1);
     return limits;
 }
 
