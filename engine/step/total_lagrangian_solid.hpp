@@ -25,8 +25,8 @@ class TotalLagrangianSolid {
     /// The highest angular frequency of all its small motions about its reference configuration, at most 1 % too low; 0
     /// if nothing can move. [1/s]
     double fastest_mode() const { return fastest_mode_; }
-    /// The highest rate at which artificial viscosity would damp a motion, if it acted on all pairs; only of bodies of
-    /// unlike spacing, else 0. [1/s]
+    /// The highest rate at which artificial viscosity would damp a motion if it acted on all pairs; 0 with so little of
+    /// it that it does not matter. [1/s]
     double fastest_damping() const { return fastest_damping_; }
 
   private:
