@@ -16,9 +16,9 @@ namespace {
 /// How much shorter the step of a total-Lagrangian solid must be with artificial viscosity α, whose forces lag by half
 /// a step: √(1 + ζ²) − ζ of the undamped limit [Belytschko, Liu & Moran 2000, section 6.2.9], ζ the damping ratio of
 /// the fastest mode. ζ = α/6 bounds what was measured on a bent, shaken block (h = 1.5 d): stable up to a Courant
-/// number of 0.95, 0.9, 0.85, 0.75, 0.5 with α = 0, 0.5, 1, 2, 4. Beside a clamp
-/// that cuts cells it is up to four times as large as inside; hence half of the fastest damping, as pairs that part are
-/// not damped. (A polygon with a clamp, α = 1: stable up to 0.5 without that.)
+/// number of 0.95, 0.9, 0.85, 0.75, 0.5 with α = 0, 0.5, 1, 2, 4. Beside a clamp that cuts cells it is up to four times
+/// as large as inside; hence half of the fastest damping, as pairs that part are not damped. (A polygon with a clamp,
+/// α = 1: stable up to 0.5 without that.)
 double damped_step_ratio(double artificial_viscosity, double fastest_mode, double fastest_damping) {
     const double ratio = std::max(artificial_viscosity / 6, 0.5 * fastest_damping / (2 * fastest_mode));
     return std::sqrt(1 + ratio * ratio) - ratio;
