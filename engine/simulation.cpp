@@ -70,7 +70,8 @@ struct Simulation<Dim>::Impl {
           interface(context),
           boundary(context) {
         if (effects.has(Effect::total_lagrangian))
-            limit_by_mode(scene, effects, total_lagrangian.fastest_mode(), planner.limits().back());
+            limit_by_mode(scene, effects, total_lagrangian.fastest_mode(), total_lagrangian.fastest_damping(),
+                          planner.limits().back());
         check_steps(scene, effects, planner.limits());
         context.plan = planner.next(fluid.speed(), norm(state.gravity));
         const double dt = context.plan.dt, of_solid = highest_speed(state.solid);

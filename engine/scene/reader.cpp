@@ -9,6 +9,7 @@
 #include "engine/scene/canonical_text.hpp"
 #include "engine/scene/formula.hpp"
 #include "engine/scene/key_parts.hpp"
+#include "engine/scene/light_solid.hpp"
 #include "engine/scene/overrides.hpp"
 #include "engine/scene/reader_parts.hpp"
 #include "engine/scene/syntax_error.hpp"
@@ -100,6 +101,7 @@ void read_scene(TomlTable& root) {
     read_effects(root);
     read_materials(root);
     read_bodies(root);
+    damp_light_solid(scene);
     read_walls(root);
     read_probes(root);
     read_watch(root);

@@ -54,6 +54,41 @@ void doubt_stiffness(const Scene& scene, std::size_t index, std::vector<std::str
             youngs, weight)));
 }
 
+/// Sums over fine neighbours on one side and coarse ones on the other do not cancel at rest: a tank of two spacings
+/// moves with 6e-4 of its energy at 1:2, with 1e-2 at 1:4 (tests/hard).
+void doubt_spacings(const Scene& scene, std::vector<std::string>& told) {
+    constexpr double most = 2 * (1 + 1e-9);
+    const Body* finest = nullptr;
+    for (const Body& body : scene.bodies)
+        if (scene.materials[body.material].kind == MaterialKind::fluid && (!finest || body.spacing < finest->spacing))
+            finest = &body;
+    for (const Body& body : scene.bodies) {
+        if (scene.materials[body.material].kind != MaterialKind::fluid) continue;
+        if (body.spacing <= most * finest->spacing) continue;
+        told.push_back(located(scene, spacing_key(scene, "bodies." + body.name),
+                               fmt::format("found {:.3g} times the spacing of bodies.{}; where fluid of so unlike "
+                                           "spacings meets, it is not at rest, expected 2 times at the most",
+                                           body.spacing / finest->spacing, finest->name)));
+    }
+}
+
+/// A free lid of 0.05 of the water's density is quiet, one of 0.02 is thrown up (tests/hard).
+void doubt_lightness(const Scene& scene, std::vector<std::string>& told) {
+    constexpr double least = 0.05;
+    if (scene.method.coupling != Coupling::moving_boundary) return;
+    const Material *fluid = nullptr, *solid = nullptr;
+    for (const Body& body : scene.bodies) {
+        const Material& material = scene.materials[body.material];
+        (material.kind == MaterialKind::fluid ? fluid : solid) = &material;
+    }
+    if (!fluid || !solid || solid->density >= least * fluid->density) return;
+    told.push_back(
+        located(scene, "materials." + solid->name + ".density",
+                fmt::format("found {} kg/m³, {:.2g} of {}'s {} kg/m³; solids that the fluid moves are stable "
+                            "from {} of its density",
+                            solid->density, solid->density / fluid->density, fluid->name, fluid->density, least)));
+}
+
 void doubt_output(const Scene& scene, std::vector<std::string>& told) {
     if (!scene.probes.empty() && !scene.lines.contains("output.probe_interval"))
         told.push_back(located(scene, "output.probe_interval", "found nothing, so that probes are not written"));
@@ -67,6 +102,8 @@ std::vector<std::string> suspicious_values(const Scene& scene) {
         doubt_density(scene, scene.materials[k], told);
         if (scene.materials[k].kind == MaterialKind::solid) doubt_stiffness(scene, k, told);
     }
+    doubt_spacings(scene, told);
+    doubt_lightness(scene, told);
     doubt_output(scene, told);
     return told;
 }

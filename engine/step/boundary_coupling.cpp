@@ -9,6 +9,7 @@ namespace sluice {
 template <int Dim>
 void BoundaryCoupling<Dim>::forces() {
     const auto scope = c_.timer.measure(StepPhase::interface_pass);
+    follow_acceleration();
     follow(c_.state.solid.position, c_.state.solid.velocity);
     auto& boundary = c_.state.boundary;
     auto& fluid = c_.state.fluid;
@@ -71,10 +72,21 @@ void BoundaryCoupling<Dim>::follow(const VectorField<Dim>& position, const Vecto
         const Index s = index_of_id[boundary.solid[i]];
         boundary.position.set(i, position[s]);
         boundary.velocity.set(i, velocity[s]);
-        boundary.acceleration.set(i, solid.mean_acceleration[s]);
         boundary.volume[i] = solid.mass[s] / solid.density[s];
     });
     c_.neighbors.refresh_boundary();
+}
+
+template <int Dim>
+void BoundaryCoupling<Dim>::follow_acceleration() {
+    auto& boundary = c_.state.boundary;
+    const auto& solid = c_.state.solid;
+    const auto& index_of_id = c_.neighbors.solid_index_of_id();
+    const bool follows = relaxation_ < 1;
+    parallel_for(boundary.owned, [&](std::size_t i) {
+        const Vec<Dim> a_s = solid.mean_acceleration[index_of_id[boundary.solid[i]]], last = boundary.acceleration[i];
+        boundary.acceleration.set(i, follows ? last + relaxation_ * (a_s - last) : a_s);
+    });
 }
 
 template <int Dim>

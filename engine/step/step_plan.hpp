@@ -25,8 +25,10 @@ template <int Dim>
 std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state);
 
 /// Of a total-Lagrangian solid: courant · 2/ω, ω its fastest mode [1/s], the limit of explicit steps for what is linear
-/// and undamped; with artificial viscosity or contact less. Leaves the limit as it is if ω = 0: nothing can move.
-void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, CourantLimit& limit);
+/// and undamped; with artificial viscosity or contact less. fastest_damping: the highest rate at which viscosity on
+/// all pairs would damp a motion, 0 if unknown [1/s]. Leaves the limit as it is if ω = 0: nothing can move.
+void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, double fastest_damping,
+                   CourantLimit& limit);
 
 /// The step of all media together, and how many sub-steps of the solid there are in it.
 struct StepPlan {

@@ -9,6 +9,12 @@
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
+namespace {
+
+/// Up to here the steps that viscosity takes away are less than what the usual Courant number leaves.
+constexpr double modest_viscosity = 0.1;
+
+}  // namespace
 
 template <int Dim>
 TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, SolidContact<Dim>& contact)
@@ -32,6 +38,7 @@ TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, Solid
     elastic_forces({});
     c_.neighbors.leave_out_clamped(behind_clamp_.rigid(), behind_clamp_.extended());
     fastest_mode_ = find_fastest_mode();
+    if (alpha > modest_viscosity) fastest_damping_ = find_fastest_damping();
     update_stress();
     update_density();
 }
@@ -150,6 +157,36 @@ double TotalLagrangianSolid<Dim>::find_fastest_mode() {
     solid.position = start;
     c_.timer = timer;
     return std::sqrt(fastest);
+}
+
+template <int Dim>
+double TotalLagrangianSolid<Dim>::find_fastest_damping() {
+    auto& solid = c_.state.solid;
+    const std::size_t n = solid.owned;
+    const PhaseTimer timer = c_.timer;
+    const VectorField<Dim> start = solid.velocity;
+    // Pairs that approach for v, and those that approach for −v; what is elastic cancels.
+    const auto decelerate = [&](std::span<const double> x, std::span<double> y, double sign) {
+        parallel_for(n, [&](std::size_t i) {
+            const double scale = solid.clamped[i] ? 0.0 : sign / std::sqrt(solid.mass[i]);
+            Vec<Dim> v;
+            for (int k = 0; k < Dim; ++k) v[k] = scale * x[Dim * i + static_cast<std::size_t>(k)];
+            solid.velocity.set(i, v);
+        });
+        elastic_forces(viscosity_);
+        parallel_for(n, [&](std::size_t i) {
+            const double scale = solid.clamped[i] ? 0.0 : -sign * std::sqrt(solid.mass[i]);
+            for (int k = 0; k < Dim; ++k) y[Dim * i + static_cast<std::size_t>(k)] += scale * solid.acceleration[i][k];
+        });
+    };
+    const double fastest = largest_eigenvalue(Dim * n, [&](std::span<const double> x, std::span<double> y) {
+        std::fill(y.begin(), y.end(), 0.0);
+        decelerate(x, y, 1);
+        decelerate(x, y, -1);
+    });
+    solid.velocity = start;
+    c_.timer = timer;
+    return fastest;
 }
 
 template <int Dim>

@@ -25,6 +25,9 @@ class TotalLagrangianSolid {
     /// The highest angular frequency of all its small motions about its reference configuration, at most 1 % too low; 0
     /// if nothing can move. [1/s]
     double fastest_mode() const { return fastest_mode_; }
+    /// The highest rate at which artificial viscosity would damp a motion if it acted on all pairs; 0 with so little of
+    /// it that it does not matter. [1/s]
+    double fastest_damping() const { return fastest_damping_; }
 
   private:
     double dt() const { return c_.plan.dt / c_.plan.substeps; }
@@ -38,6 +41,7 @@ class TotalLagrangianSolid {
     std::uint64_t elastic_forces(const ElasticViscosity& viscosity);
     /// By some dozens of force evaluations.
     double find_fastest_mode();
+    double find_fastest_damping();
     /// ρ = ρ0/det F, which the fluid sees; at the most that of Hyperelastic::expansion_volume.
     void update_density();
 
@@ -46,7 +50,7 @@ class TotalLagrangianSolid {
     Hyperelastic law_;
     ElasticViscosity viscosity_;
     ClampExtension<Dim> behind_clamp_;
-    double fastest_mode_ = 0;
+    double fastest_mode_ = 0, fastest_damping_ = 0;
 };
 
 extern template class TotalLagrangianSolid<2>;

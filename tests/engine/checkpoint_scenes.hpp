@@ -64,6 +64,7 @@ inline std::vector<Case> cases() {
         {"paper: hypoelastic, staggered Euler, interface force", load_scene(gate, {shaken})},
         {"paper, several steps of the solid in one", load_scene(gate, {shaken, "method.time_stepping=multi-rate"})},
         {"modern: total Lagrangian, adaptive steps, moving boundary, shifting", load_scene(gate, modern)},
+        {"modern, a light gate", load_scene(gate, with({"materials.rubber.density=200"}, modern))},
         {"modern, interface force", load_scene(gate, with({"method.coupling=interface-force"}, modern))},
         {"modern, hypoelastic", load_scene(gate, with({"materials.rubber.model=hypoelastic"}, modern))},
         {"modern, gradients of density", load_scene(gate, with({"method.fluid.density_diffusion=antuono"}, modern))},
