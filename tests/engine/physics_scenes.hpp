@@ -51,6 +51,12 @@ normal = [0.0, 1.0]
 inline std::string mirror_back(const std::string& x) {
     return "[walls.back]\nkind = \"mirror\"\npoint = [" + x + ", 0.0]\nnormal = [1.0, 0.0]\n";
 }
+/// Mirror walls at x = 0 and x = `width`.
+inline std::string mirror_sides(const std::string& width) {
+    return "[walls.left]\nkind = \"mirror\"\npoint = [0.0, 0.0]\nnormal = [1.0, 0.0]\n"
+           "[walls.right]\nkind = \"mirror\"\npoint = [" +
+           width + ", 0.0]\nnormal = [-1.0, 0.0]\n";
+}
 
 /// Water 0.06 m deep, from x = `back` on, that leans on a gate whose upper end is clamped.
 inline std::string water_at_gate(const std::string& back) {

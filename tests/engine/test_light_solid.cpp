@@ -27,19 +27,9 @@ kind = "solid"
 density = 100.0
 youngs_modulus = 2.0e6
 poisson_ratio = 0.4
-[walls.left]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [1.0, 0.0]
-[walls.right]
-kind = "mirror"
-point = [0.2, 0.0]
-normal = [-1.0, 0.0]
 [output]
 end = 1
-)toml";
-
-const std::string floor_of_tank = "[walls.floor]\nkind = \"mirror\"\npoint = [0.0, 0.0]\nnormal = [0.0, 1.0]\n";
+)toml" + mirror_sides("0.2");
 
 /// Water 0.1 m deep on an elastic floor that is clamped at both ends and starts straight.
 const std::string elastic_floor = tank + R"toml(
@@ -56,7 +46,7 @@ clamp = { union = [{ box = { min = [-0.02, -0.02], max = [0.0, 0.0] } }, { box =
 )toml";
 
 /// A block, a fifth of the water's density, a fifth of it in the water.
-const std::string floating_block = tank + floor_of_tank + R"toml(
+const std::string floating_block = tank + mirror_floor + R"toml(
 [bodies.water]
 material = "water"
 shape = { difference = [{ box = { min = [0.0, 0.0], max = [0.2, 0.1] } }, { box = { min = [0.05, 0.09], max = [0.15, 0.14] } }] }

@@ -7,7 +7,7 @@
 #include "engine/simulation.hpp"
 #include "engine/step/steady_load.hpp"
 #include "tests/catch.hpp"
-#include "tests/engine/scene_text.hpp"
+#include "tests/engine/physics_scenes.hpp"
 
 namespace sluice {
 namespace {
@@ -17,6 +17,7 @@ constexpr double length = 0.1, thickness = 0.01, depth = 0.02, youngs = 1.7e10, 
 /// Water on a plate of metal, clamped on both sides, whose slowest motion takes less than a step of the water.
 std::string pool() {
     const double d = thickness / 4;
+    const std::string sides = mirror_sides(fmt::format("{}", length));
     return fmt::format(R"toml(
 gravity = [0.0, -9.81]
 [method]
@@ -42,18 +43,11 @@ hydrostatic_surface = {4}
 material = "metal"
 shape = {{ box = {{ min = [{5}, {6}], max = [{7}, 0.0] }} }}
 clamp = {{ union = [{{ box = {{ min = [{5}, {6}], max = [0.0, 0.0] }} }}, {{ box = {{ min = [{3}, {6}], max = [{7}, 0.0] }} }}] }}
-[walls.left]
-kind = "mirror"
-point = [0.0, 0.0]
-normal = [1.0, 0.0]
-[walls.right]
-kind = "mirror"
-point = [{3}, 0.0]
-normal = [-1.0, 0.0]
 [output]
 end = 1.0
 )toml",
-                       d, density, youngs, length, depth, -4 * d, -thickness, length + 4 * d);
+                       d, density, youngs, length, depth, -4 * d, -thickness, length + 4 * d) +
+           sides;
 }
 
 /// Deflection of the plate's middle under its weight and the water, of the thin plate's; both means over steps.
