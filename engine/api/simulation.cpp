@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -147,6 +148,8 @@ void Simulation::advance(std::uint64_t steps, const GoOn& go_on) {
 }
 
 void Simulation::advance_to(double time, const GoOn& go_on) {
+    if (!std::isfinite(time))
+        throw std::invalid_argument(fmt::format("advance_to: found {}, expected a time [s]", time));
     impl_->use_threads();
     while (impl_->time() < time - impl_->time_step() / 2) {
         impl_->let_go();

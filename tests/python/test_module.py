@@ -165,6 +165,11 @@ class Stepping(unittest.TestCase):
         self.assertTrue(all(numpy.isfinite(v) for v in simulation.probes.values()))
         self.assertEqual(simulation.warnings, [])
 
+    def test_a_time_is_a_number(self):
+        for never in (float("nan"), float("inf")):
+            with self.assertRaisesRegex(ValueError, "expected a time"):
+                gate().advance_to(never)
+
     def test_breakdown_is_an_error(self):
         simulation = sluice.Simulation(SCENES / "breakdown.toml")
         with self.assertRaises(sluice.NumericalError):

@@ -39,7 +39,7 @@ class SLUICE_API Simulation {
     /// Takes so many steps. Every fifty the state is looked at, as in a run: throws NumericalError when it has become
     /// meaningless.
     void advance(std::uint64_t steps, const GoOn& go_on = {});
-    /// Steps until that time is reached within half a step [s].
+    /// Steps until that time is reached within half a step [s]; throws std::invalid_argument if it is not finite.
     void advance_to(double time, const GoOn& go_on = {});
     /// What has looked wrong so far, with cause and remedy.
     std::vector<std::string> warnings() const;
