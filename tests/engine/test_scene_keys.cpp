@@ -160,8 +160,7 @@ TEST_CASE("a key left out is as if its default stood there, in both presets", "[
             CAPTURE(preset, path, value);
             CHECK(read({path + "=" + value}) == bare);
             // What is compared must show the key; of a dimension of 3 the scene's places would be wrong.
-            if (key.path != "dimension")
-                CHECK(read({path + "=" + changed(key, value)}) != bare);
+            if (key.path != "dimension") CHECK(read({path + "=" + changed(key, value)}) != bare);
             ++compared;
         }
     }

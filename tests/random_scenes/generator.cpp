@@ -196,8 +196,7 @@ class Generator {
         const Slot s = slot(number);
         const std::string name = fmt::format("body_{}", number);
         line(fmt::format("[bodies.{}]\nmaterial = \"{}\"\nshape = {}", name, solid ? "rubber" : "water", shape(s)));
-        if (random_.chance(0.2))
-            line(fmt::format("spacing_ratio = {}", random_.one_of<double>({0.5, 0.8, 1.5, 2})));
+        if (random_.chance(0.2)) line(fmt::format("spacing_ratio = {}", random_.one_of<double>({0.5, 0.8, 1.5, 2})));
         if (random_.chance(0.5)) line("velocity = " + velocity());
         (solid ? solids_ : fluids_).push_back(name);
         middle_.push_back({0.5 * (s.low[0] + s.high[0]), 0.5 * (s.low[1] + s.high[1]), 0.5 * (s.low[2] + s.high[2])});
