@@ -8,7 +8,7 @@ nlohmann-json3-dev libmuparser-dev zlib1g-dev libcpp-httplib-dev libcairo2-dev p
 libbenchmark-dev python3 python3-numpy python3-matplotlib python3-h5py"
 if [ "${1:-}" = tests ]; then
     shift
-    packages="$packages python3-dev pybind11-dev python3-pandas python3-jsonschema groff-base doxygen dpkg-dev \
+    packages="$packages python3-dev pybind11-dev python3-pandas python3-jsonschema groff-base doxygen dpkg-dev file \
 python3-fusepy fuse3"
 fi
 packages="$packages $*"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the Debian packages, looks at them with lintian, and installs and uses them in a fresh Debian 12: the command, the
 # Python module, and a program that is built against the library. Takes some minutes, 1.5 GB in /tmp, and root; needs
-# debootstrap, dpkg-dev, and lintian if they are to be looked at. Usage: tests/package.sh [BUILD_DIR]
+# debootstrap, dpkg-dev, file, and lintian if they are to be looked at. Usage: tests/package.sh [BUILD_DIR]
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=${1:-$root/build-package}
