@@ -3,7 +3,7 @@
 # Usage: tests/sanitize.sh [asan|asan-quick|tsan]...   (asan and tsan, seventeen and six minutes of CPU time; asan-quick: six)
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
-"$root/tests/install_packages.sh" clang libomp-dev python3-dev pybind11-dev python3-numpy
+"$root/tests/install_packages.sh" clang libclang-rt-dev libomp-dev python3-dev pybind11-dev python3-numpy
 cd "$root"
 export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1
 # Archer, which libomp loads by itself, tells the sanitizer what OpenMP's runtime waits for; libraries that were built
