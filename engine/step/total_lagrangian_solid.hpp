@@ -14,11 +14,12 @@ class TotalLagrangianSolid {
     TotalLagrangianSolid(StepContext<Dim>& context, SolidContact<Dim>& contact);
 
     /// Goes through a step by kick, drift and kick under stress, contact and gravity: symplectic, so that the energy
-    /// neither grows nor fades. The fluid's force is not in it, but comes before and after as an impulse (push).
+    /// neither grows nor fades. Of the fluid's force only what is steady is in it (engine/step/steady_load.hpp); the
+    /// rest comes before and after as an impulse (push).
     /// Returns a bound of how far particles have moved. [m]
     double advance();
 
-    /// v += the fluid's force · interval [s]
+    /// v += what of the fluid's force does not act in advance() · interval [s]
     void push(double interval);
     /// What the hourglass control holds. [J; J/m in 2D]
     double hourglass_energy() const;
