@@ -13,8 +13,8 @@
 #include "engine/errors.hpp"
 #include "engine/output/run_record.hpp"
 #include "engine/simulation.hpp"
-#include "engine/thread_count.hpp"
 #include "engine/watch/state_check.hpp"
+#include "neighbor/thread_count.hpp"
 
 namespace sluice {
 namespace {

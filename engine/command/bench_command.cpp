@@ -8,8 +8,8 @@
 #include "engine/output/atomic_file.hpp"
 #include "engine/profile/scene_bench.hpp"
 #include "engine/scene/suspicion.hpp"
-#include "engine/thread_count.hpp"
 #include "neighbor/isa.hpp"
+#include "neighbor/thread_count.hpp"
 
 namespace sluice {
 namespace {

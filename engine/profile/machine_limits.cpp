@@ -9,9 +9,9 @@
 
 #include "engine/profile/roofline_loops.hpp"
 #include "engine/profile/step_profile.hpp"
-#include "engine/thread_count.hpp"
 #include "neighbor/fields.hpp"
 #include "neighbor/loop_watch.hpp"
+#include "neighbor/thread_count.hpp"
 
 namespace sluice {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstdlib>
 
 #include "engine/simulation.hpp"
-#include "engine/thread_count.hpp"
 #include "engine/watch/state_check.hpp"
+#include "neighbor/thread_count.hpp"
 
 namespace sluice {
 namespace {

@@ -1,25 +1,15 @@
 // Settings of the whole program that last for a scope.
 #pragma once
 
-#include <omp.h>
-
 #include <string>
 
 #include "neighbor/isa.hpp"
+#include "neighbor/thread_count.hpp"
 
 namespace sluice {
 
 /// OpenMP's number of threads until the end of the scope.
-class ThreadScope {
-  public:
-    explicit ThreadScope(int threads) : before_(omp_get_max_threads()) { omp_set_num_threads(threads); }
-    ~ThreadScope() { omp_set_num_threads(before_); }
-    ThreadScope(const ThreadScope&) = delete;
-    ThreadScope& operator=(const ThreadScope&) = delete;
-
-  private:
-    int before_;
-};
+using ThreadScope = ThreadCount;
 
 /// The instruction set of all loops until the end of the scope.
 class IsaScope {

@@ -1,4 +1,4 @@
-// OpenMP's number of threads, for a while.
+// OpenMP's number of threads until the end of a scope.
 #pragma once
 
 #include <omp.h>
