@@ -6,7 +6,7 @@
 
 #include "bench/counters.hpp"
 #include "bench/suite.hpp"
-#include "kernels/terms/equation_of_state.hpp"
+#include "kernels/materials/equation_of_state.hpp"
 #include "neighbor/fields.hpp"
 
 namespace sluice::bench {

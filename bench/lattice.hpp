@@ -6,7 +6,7 @@
 #include <memory>
 #include <random>
 
-#include "kernels/columns.hpp"
+#include "kernels/pairs/particle_view.hpp"
 #include "neighbor/cluster_grid.hpp"
 #include "neighbor/neighbor_list.hpp"
 

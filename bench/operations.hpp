@@ -1,9 +1,9 @@
-// Arithmetic operations of a function of one number, counted as those of passes are (kernels/operation_count.hpp).
+// Arithmetic operations of a function of one number, counted as those of passes are (kernels/pairs/operation_count.hpp).
 #pragma once
 
 #define SLUICE_ISA counted
 #define SLUICE_ISA_counted
-#include "kernels/operation_count.hpp"
+#include "kernels/pairs/operation_count.hpp"
 
 namespace sluice::bench {
 

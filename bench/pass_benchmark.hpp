@@ -10,8 +10,8 @@
 #include "bench/lattice.hpp"
 #include "bench/roofline.hpp"
 #include "bench/traffic.hpp"
-#include "kernels/interface_passes.hpp"
-#include "kernels/shift_passes.hpp"
+#include "kernels/passes/interface_passes.hpp"
+#include "kernels/passes/shift_passes.hpp"
 
 namespace sluice::bench {
 

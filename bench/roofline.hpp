@@ -2,7 +2,7 @@
 // Every pass is held against it (bench/README.md).
 #pragma once
 
-#include "kernels/block_loop.hpp"
+#include "kernels/pairs/block_loop.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice::bench {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "kernels/block_loop.hpp"
+#include "kernels/pairs/block_loop.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice::bench {

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "kernels/columns.hpp"
+#include "kernels/pairs/particle_view.hpp"
 
 namespace sluice::bench {
 

@@ -1,18 +1,25 @@
 #include "engine/effect_fields.hpp"
 
-#include "engine/state/visit.hpp"
+#include "engine/particles/particle_set.hpp"
 
 namespace sluice {
 namespace {
 
-template <class Phase>
-void add_columns(const EffectInfo& effect, std::string_view name, Phase phase, std::vector<ColumnBytes>& to) {
-    visit_columns(phase, [&](std::string_view column, auto& values) {
-        if (!effect.needs(name, column)) return;
-        const bool new_column = to.empty() || to.back().phase != name || to.back().column != column;
-        if (new_column) to.push_back({name, column, 0});
-        to.back().bytes += sizeof(values[0]);  // the columns of a tuple share its name
-    });
+std::size_t bytes_of_number(Rank rank) {
+    switch (rank) {
+        case Rank::scalar:
+        case Rank::vector:
+        case Rank::symmetric:
+        case Rank::full:
+            return sizeof(double);
+        case Rank::id:
+            return sizeof(std::uint64_t);
+        case Rank::number:
+            return sizeof(std::uint16_t);
+        case Rank::flag:
+            return sizeof(std::uint8_t);
+    }
+    return 0;
 }
 
 }  // namespace
@@ -20,11 +27,11 @@ void add_columns(const EffectInfo& effect, std::string_view name, Phase phase, s
 template <int Dim>
 std::vector<ColumnBytes> column_bytes_of(const EffectInfo& effect) {
     std::vector<ColumnBytes> columns;
-    add_columns(effect, "fluid", FluidPhase<Dim>{}, columns);
-    add_columns(effect, "solid", SolidPhase<Dim>{}, columns);
-    add_columns(effect, "wall", WallPhase<Dim>{}, columns);
-    add_columns(effect, "elements", InterfaceElements<Dim>{}, columns);
-    add_columns(effect, "boundary", BoundaryParticles<Dim>{}, columns);
+    for (const SetId set : all_sets)
+        for (const ColumnInfo& info : column_table)
+            if (effect.needs(set, info.column))
+                columns.push_back({name_of(set), info.name,
+                                   static_cast<std::size_t>(components_of<Dim>(info.rank)) * bytes_of_number(info.rank)});
     return columns;
 }
 

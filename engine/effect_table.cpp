@@ -92,8 +92,8 @@ constexpr std::string_view element_columns =
     "elements.solid_weight elements.force elements.shared_force elements.smoothing_length elements.body "
     "solid.interface_acceleration solid.halfway_position solid.mean_velocity";
 constexpr std::string_view boundary_columns =
-    "boundary.position boundary.velocity boundary.acceleration boundary.volume boundary.smoothing_length "
-    "boundary.force boundary.solid boundary.body solid.interface_acceleration solid.halfway_position "
+    "boundary.position boundary.velocity boundary.mean_acceleration boundary.volume boundary.smoothing_length "
+    "boundary.force boundary.solid_id boundary.body solid.interface_acceleration solid.halfway_position "
     "solid.mean_velocity solid.mean_acceleration";
 constexpr std::string_view wall_columns =
     "wall.position wall.pressure wall.volume wall.smoothing_length wall.id wall.body";
@@ -191,7 +191,7 @@ const std::array<EffectRow, effect_count> table{{
      [](const Scene&, const SceneContent& c) { return needs_hypoelastic(c); },
      {StepPhase::solid_pass, StepPhase::gradient_pass}},
     {{Effect::total_lagrangian, "total_lagrangian", "solid: hyperelastic stress in the reference configuration",
-      "Vignjevic2006; kernels/total_lagrangian_passes.hpp", total_lagrangian_columns,
+      "Vignjevic2006; kernels/passes/total_lagrangian_passes.hpp", total_lagrangian_columns,
       "on if a solid has the model \"st-venant-kirchhoff\" or \"neo-hookean\"; cannot be left out then",
       "f_a = V_a Σ_b V_b (P_a L_a + P_b L_b) ∇_a W_ab,  F_a = Σ_b V_b (x_b − x_a) ⊗ L_a ∇_a W_ab,  P = ∂ψ/∂F",
       "solid momentum/elastic momentum, solid gradient and stress/deformation gradient, update"},
@@ -227,7 +227,7 @@ const std::array<EffectRow, effect_count> table{{
          return by_constant(needs_hypoelastic(c), "theta", s.method.solid.velocity_filter, 1);
      }},
     {{Effect::contact, "contact", "solid: contact with other solids and with walls, without friction",
-      "kernels/contact_passes.hpp", wall_columns,
+      "kernels/passes/contact_passes.hpp", wall_columns,
       "on if there are two total-Lagrangian bodies, or one and a wall, and not all are clamped; may be switched on for "
       "hypoelastic solids and walls",
       "f_i = −V_i Σ_j V_j (p_i + p_j) ∇W_ij,  p = k (σ − σ_0)₊,  σ_i = Σ_j V_j W_ij,  j of other bodies", "contact/*"},
@@ -297,7 +297,7 @@ const std::array<EffectRow, effect_count> table{{
          return c.fluid || solids_meet_walls(s, c) ? Decision{Verdict::used, "walls: " + c.moving_walls}
                                                    : Decision{Verdict::impossible, "no fluid body to move"};
      }},
-    {{Effect::periodic_box, "periodic_box", "walls: periodic box", "engine/state/images.hpp", "",
+    {{Effect::periodic_box, "periodic_box", "walls: periodic box", "engine/particles/ghosts.hpp", "",
       "on if there are a fluid and a periodic axis; cannot be left out then", "x' = x ± L,  all else copied"},
      [](const Scene&, const SceneContent& c) {
          if (c.periodic_axes.empty()) return Decision{Verdict::impossible, "no periodic axis"};
@@ -332,7 +332,7 @@ const std::array<EffectRow, effect_count> table{{
          return Decision{Verdict::used, fmt::format("a(t) = ({}) m/s2", fmt::join(s.acceleration, ", "))};
      }},
     {{Effect::variable_resolution, "variable_resolution", "pairs of unequal size: mean smoothing length",
-      "kernels/pair.hpp", "", "on if bodies have different spacings; cannot be left out then", "h_ij = (h_i + h_j)/2"},
+      "kernels/pairs/pair.hpp", "", "on if bodies have different spacings; cannot be left out then", "h_ij = (h_i + h_j)/2"},
      [](const Scene&, const SceneContent& c) {
          return c.many_spacings ? Decision{Verdict::required, "bodies of different spacing"}
                                 : Decision{Verdict::impossible, "one spacing"};

@@ -28,7 +28,8 @@ EffectChoice choose(const Scene& scene, const EffectRow& row, const SceneContent
 
 }  // namespace
 
-bool EffectInfo::needs(std::string_view phase, std::string_view column) const {
+bool EffectInfo::needs(SetId set, Column of) const {
+    const std::string_view phase = name_of(set), column = info_of(of).name;
     for (std::size_t at = 0; at < fields.size();) {
         const std::size_t end = std::min(fields.find(' ', at), fields.size());
         const std::string_view word = fields.substr(at, end - at);
@@ -46,9 +47,9 @@ Effects::Effects(const Scene& scene) {
         choices_[static_cast<std::size_t>(row.info.effect)] = choose(scene, row, content);
 }
 
-bool Effects::needs(std::string_view phase, std::string_view column) const {
+bool Effects::needs(SetId set, Column column) const {
     for (const EffectChoice& choice : choices_)
-        if (choice.on && choice.info.needs(phase, column)) return true;
+        if (choice.on && choice.info.needs(set, column)) return true;
     return false;
 }
 

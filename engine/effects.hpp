@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/particles/particle_set.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {
@@ -60,7 +61,7 @@ struct EffectInfo {
     /// in a phase, PHASE what of it is no loop over pairs. Empty: nowhere apart from others.
     std::string_view places = {};
 
-    bool needs(std::string_view phase, std::string_view column) const;
+    bool needs(SetId set, Column column) const;
 };
 
 /// The decision for one effect in one scene.
@@ -76,9 +77,8 @@ class Effects {
     explicit Effects(const Scene& scene);
     bool has(Effect e) const { return choices_[static_cast<std::size_t>(e)].on; }
     const std::array<EffectChoice, effect_count>& all() const { return choices_; }
-    /// Whether an effect that is on needs this column of this phase ("fluid", "solid", "wall", "elements",
-    /// "boundary").
-    bool needs(std::string_view phase, std::string_view column) const;
+    /// Whether an effect that is on needs this column of this set.
+    bool needs(SetId set, Column column) const;
 
   private:
     std::array<EffectChoice, effect_count> choices_;

@@ -8,7 +8,7 @@
 
 #include "engine/checkpoint/state_visitors.hpp"
 #include "engine/errors.hpp"
-#include "engine/state/visit.hpp"
+#include "engine/particles/particle_set.hpp"
 #include "engine/step/balances.hpp"
 #include "engine/step/body_acceleration.hpp"
 #include "engine/step/boundary_coupling.hpp"
@@ -170,13 +170,10 @@ struct Simulation<Dim>::Impl {
         visit("time", time), visit("steps", steps), visit("solid_steps", solid_steps);
         visit("pairs", context.pairs), visit("plan", context.plan), visit("timer", context.timer);
         visit("planner", planner), visit("gravity", state.gravity.c);
-        PhaseColumns<FluidPhase<Dim>> fluid_columns{state.fluid};
-        PhaseColumns<SolidPhase<Dim>> solid_columns{state.solid};
-        PhaseColumns<WallPhase<Dim>> wall_columns{state.wall};
-        PhaseColumns<InterfaceElements<Dim>> element_columns{state.elements};
-        PhaseColumns<BoundaryParticles<Dim>> boundary_columns{state.boundary};
-        visit("fluid", fluid_columns), visit("solid", solid_columns), visit("wall", wall_columns);
-        visit("elements", element_columns), visit("boundary", boundary_columns);
+        for (const SetId set : all_sets) {
+            SetColumns<Dim> columns{state[set]};
+            visit(name_of(set), columns);
+        }
         visit("neighbors", neighbors);
         visit("fluid_part", fluid), visit("shifting", shifting), visit("walls", walls);
         visit("contact", contact), visit("hypoelastic", hypoelastic);
@@ -250,15 +247,15 @@ const Effects& Simulation<Dim>::effects() const {
     return impl_->effects;
 }
 template <int Dim>
-const FluidPhase<Dim>& Simulation<Dim>::fluid() const {
+const ParticleSet<Dim>& Simulation<Dim>::fluid() const {
     return impl_->state.fluid;
 }
 template <int Dim>
-const SolidPhase<Dim>& Simulation<Dim>::solid() const {
+const ParticleSet<Dim>& Simulation<Dim>::solid() const {
     return impl_->state.solid;
 }
 template <int Dim>
-const WallPhase<Dim>& Simulation<Dim>::wall() const {
+const ParticleSet<Dim>& Simulation<Dim>::wall() const {
     return impl_->state.wall;
 }
 template <int Dim>
@@ -266,12 +263,12 @@ Hyperelastic Simulation<Dim>::elastic_law() const {
     return impl_->state.rubber ? impl_->state.rubber->law : Hyperelastic{};
 }
 template <int Dim>
-const InterfaceElements<Dim>& Simulation<Dim>::interface() const {
+const ParticleSet<Dim>& Simulation<Dim>::interface() const {
     return impl_->state.elements;
 }
 
 template <int Dim>
-const BoundaryParticles<Dim>& Simulation<Dim>::boundary() const {
+const ParticleSet<Dim>& Simulation<Dim>::boundary() const {
     return impl_->state.boundary;
 }
 
@@ -337,8 +334,9 @@ double Simulation<Dim>::max_mach() const {
 template <int Dim>
 std::size_t Simulation<Dim>::memory_bytes() const {
     const auto& s = impl_->state;
-    return column_bytes(s.fluid) + column_bytes(s.solid) + column_bytes(s.wall) + column_bytes(s.elements) +
-           column_bytes(s.boundary) + s.surface.bytes() + impl_->neighbors.bytes() + impl_->contact.bytes();
+    std::size_t bytes = s.surface.bytes() + impl_->neighbors.bytes() + impl_->contact.bytes();
+    for (const SetId set : all_sets) bytes += bytes_of(s[set]);
+    return bytes;
 }
 template <int Dim>
 const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {
@@ -348,16 +346,14 @@ const std::vector<Index>& Simulation<Dim>::solid_index_of_id() const {
 template <int Dim>
 std::shared_ptr<const void> Simulation<Dim>::part_with(const void* column) {
     std::shared_ptr<const void> memory;
-    const auto look = [&](std::string_view, auto& values) {
+    const auto look = [&](const ColumnInfo&, auto& values) {
         using Column = std::remove_reference_t<decltype(values)>;
         if (values.empty() || values.data() != column) return;
         const auto parted = std::make_shared<const Column>(std::move(values));
         values = *parted;
         memory = parted;
     };
-    visit_columns(impl_->state.fluid, look);
-    visit_columns(impl_->state.solid, look);
-    visit_columns(impl_->state.wall, look);
+    for (const SetId set : {SetId::fluid, SetId::solid, SetId::wall}) for_each_array(impl_->state[set], look);
     return memory;
 }
 

@@ -8,13 +8,13 @@
 
 #include "engine/effects.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/state/phases.hpp"
+#include "engine/particles/particle_set.hpp"
 #include "engine/step/closest_pair.hpp"
 #include "engine/step/energy_balance.hpp"
 #include "engine/step/interface_balance.hpp"
 #include "engine/step/phase_timer.hpp"
 #include "engine/step/step_plan.hpp"
-#include "kernels/terms/hyperelastic.hpp"
+#include "kernels/materials/hyperelastic.hpp"
 
 namespace sluice {
 
@@ -48,12 +48,12 @@ class Simulation {
 
     const Scene& scene() const;
     const Effects& effects() const;
-    const FluidPhase<Dim>& fluid() const;
-    const SolidPhase<Dim>& solid() const;
-    const WallPhase<Dim>& wall() const;
+    const ParticleSet<Dim>& fluid() const;
+    const ParticleSet<Dim>& solid() const;
+    const ParticleSet<Dim>& wall() const;
     Hyperelastic elastic_law() const;  ///< of total-Lagrangian solids
-    const InterfaceElements<Dim>& interface() const;
-    const BoundaryParticles<Dim>& boundary() const;
+    const ParticleSet<Dim>& interface() const;
+    const ParticleSet<Dim>& boundary() const;
 
     WorkCount work() const;
     const PhaseTimer& timer() const;

@@ -21,7 +21,7 @@ inline Nanoseconds clock_now() {
 struct Section {
     std::string_view name;
     int number_bytes = 0;  ///< of a loop over pairs: of the numbers that it computes with; 0 = no loop
-    double (*operations_per_lane)() = nullptr;  ///< of a loop over pairs (kernels/operation_count.hpp)
+    double (*operations_per_lane)() = nullptr;  ///< of a loop over pairs (kernels/pairs/operation_count.hpp)
 };
 
 /// What a loop over pairs had to do.

@@ -1,47 +1,34 @@
 #include "engine/api/field_table.hpp"
 
-#include <algorithm>
-#include <array>
-
-#include "engine/state/visit.hpp"
 
 namespace sluice::api {
 namespace {
 
-/// What is of use outside; the engine's other columns are its own affair.
-constexpr std::array<FieldInfo, 14> public_fields{{{"position", "m"},
-                                                   {"velocity", "m/s"},
-                                                   {"acceleration", "m/s^2"},
-                                                   {"density", "kg/m^3"},
-                                                   {"pressure", "Pa"},
-                                                   {"mass", "kg; kg/m in 2D"},
-                                                   {"volume", "m^3; m^2 in 2D"},
-                                                   {"smoothing_length", "m"},
-                                                   {"id", "1"},
-                                                   {"body", "1"},
-                                                   {"clamped", "1"},
-                                                   {"reference_position", "m"},
-                                                   {"deformation", "1"},
-                                                   {"deviatoric_stress", "Pa"}}};
+template <int Dim>
+const ParticleSet<Dim>& set_of(const sluice::Simulation<Dim>& simulation, Medium medium) {
+    switch (medium) {
+        case Medium::fluid:
+            return simulation.fluid();
+        case Medium::solid:
+            return simulation.solid();
+        case Medium::wall:
+            return simulation.wall();
+    }
+    __builtin_unreachable();
+}
 
-/// visit(name, column) for each column that holds something.
+/// visit(info, column) for each component of each column that programs may see and that holds something.
 template <int Dim, class Visit>
-void visit_medium(const sluice::Simulation<Dim>& simulation, Medium medium, Visit&& visit) {
-    const auto all_of = [&](const auto& phase) {
-        using Phase = std::remove_cvref_t<decltype(phase)>;
-        if (phase.owned == 0) return;
-        visit_columns(const_cast<Phase&>(phase), [&](std::string_view name, const auto& column) {  // only read
-            if (column.size() >= phase.owned) visit(name, column, phase.owned);
-        });
-    };
-    if (medium == Medium::fluid) all_of(simulation.fluid());
-    if (medium == Medium::solid) all_of(simulation.solid());
-    if (medium == Medium::wall) all_of(simulation.wall());
+void visit_open(const ParticleSet<Dim>& set, Visit&& visit) {
+    if (set.owned == 0) return;
+    for_each_array(set, [&](const ColumnInfo& info, const auto& column) {
+        if (info.access != Access::internal && column.size() >= set.owned) visit(info, column);
+    });
 }
 
 /// The pressure of a total-Lagrangian solid follows from its deformation; its column is not kept up to date.
-bool is_stale(const Effects& effects, Medium medium, std::string_view field) {
-    return medium == Medium::solid && field == "pressure" && effects.has(Effect::total_lagrangian);
+bool is_stale(const Effects& effects, Medium medium, Column column) {
+    return medium == Medium::solid && column == Column::pressure && effects.has(Effect::total_lagrangian);
 }
 
 }  // namespace
@@ -49,22 +36,20 @@ bool is_stale(const Effects& effects, Medium medium, std::string_view field) {
 template <int Dim>
 std::vector<FieldInfo> fields_of(const sluice::Simulation<Dim>& simulation, Medium medium) {
     std::vector<FieldInfo> found;
-    for (const FieldInfo& info : public_fields) {
-        if (is_stale(simulation.effects(), medium, info.name)) continue;
-        bool held = false;
-        visit_medium(simulation, medium,
-                     [&](std::string_view name, const auto&, std::size_t) { held |= name == info.name; });
-        if (held) found.push_back(info);
-    }
+    visit_open(set_of(simulation, medium), [&](const ColumnInfo& info, const auto&) {
+        if (is_stale(simulation.effects(), medium, info.column)) return;
+        if (found.empty() || found.back().name != info.name) found.push_back({info.name, info.unit});
+    });
     return found;
 }
 
 template <int Dim>
 std::vector<RawColumn> columns_of(const sluice::Simulation<Dim>& simulation, Medium medium, std::string_view field) {
+    const ParticleSet<Dim>& set = set_of(simulation, medium);
     std::vector<RawColumn> columns;
-    visit_medium(simulation, medium, [&](std::string_view name, const auto& column, std::size_t owned) {
+    visit_open(set, [&](const ColumnInfo& info, const auto& column) {
         using Value = typename std::remove_cvref_t<decltype(column)>::value_type;
-        if (name == field) columns.push_back({column_type<Value>(), column.data(), owned});
+        if (info.name == field) columns.push_back({column_type<Value>(), column.data(), set.owned});
     });
     return columns;
 }

@@ -10,7 +10,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/output/hdf5_reader.hpp"
-#include "engine/state/visit.hpp"
+#include "engine/particles/particle_set.hpp"
 
 namespace sluice {
 
@@ -114,25 +114,27 @@ class StateReader {
     Hdf5Source group_;
 };
 
-/// All columns of a phase. When read, there must be as many particles and the same columns as the scene calls for.
-template <class Phase>
-struct PhaseColumns {
-    Phase& phase;
+/// All columns of a set of particles. When read, there must be as many particles and the same columns as the scene
+/// calls for.
+template <int Dim>
+struct SetColumns {
+    ParticleSet<Dim>& set;
 
     template <class Visit>
     void visit_state(Visit&& visit) const {
-        std::uint64_t owned = phase.owned;
+        std::uint64_t owned = set.owned;
         visit("owned", owned);
-        if (owned != phase.owned) throw CheckpointError("the checkpoint does not fit: another number of particles");
-        std::string last;
-        int component = 0;
-        visit_columns(phase, [&](std::string_view name, auto& column) {
-            component = name == last ? component + 1 : 0;  // those of a tuple share its name
-            last = name;
-            const bool expected = !column.empty();
-            visit(component == 0 ? last : last + "_" + std::to_string(component), column);
-            if (expected != !column.empty() || (expected && column.size() < owned))
-                throw CheckpointError("the checkpoint does not fit: another size of " + last);
+        if (owned != set.owned) throw CheckpointError("the checkpoint does not fit: another number of particles");
+        for_each_field(set, [&](auto tag, auto& field) {
+            const std::string name(info_of(tag.column).name);
+            int component = 0;
+            for_each_component(field, [&](auto& column) {
+                const bool expected = !column.empty();
+                visit(component == 0 ? name : name + "_" + std::to_string(component), column);
+                if (expected != !column.empty() || (expected && column.size() < owned))
+                    throw CheckpointError("the checkpoint does not fit: another size of " + name);
+                ++component;
+            });
         });
     }
 };

@@ -13,12 +13,12 @@ namespace {
 template <int Dim>
 struct BodyPoints {
     std::vector<Vec<Dim>> position;
-    std::vector<std::uint32_t> id;
+    std::vector<std::uint64_t> id;
     double smoothing_length = 0;  ///< largest
 };
 
 template <int Dim>
-BodyPoints<Dim> points_of(const SolidPhase<Dim>& solid, std::size_t body) {
+BodyPoints<Dim> points_of(const ParticleSet<Dim>& solid, std::size_t body) {
     BodyPoints<Dim> points;
     for (std::size_t i = 0; i < solid.owned; ++i) {
         if (solid.body[i] != body) continue;
@@ -39,7 +39,7 @@ double distance_to(const std::vector<Vec<Dim>>& points, const Vec<Dim>& at) {
 /// A particle's share in the probe's displacement.
 template <int Dim>
 struct MaterialShare {
-    std::uint32_t id;
+    std::uint64_t id;
     double weight;
     Vec<Dim> initial;
 };

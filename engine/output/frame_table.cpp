@@ -48,7 +48,7 @@ double von_mises(const std::array<double, N>& s) {
 }
 
 /// Owned particles by rising id.
-std::vector<Index> order_by_id(const Array<std::uint32_t>& id, std::size_t owned) {
+std::vector<Index> order_by_id(const Array<std::uint64_t>& id, std::size_t owned) {
     std::vector<Index> order(owned);
     std::iota(order.begin(), order.end(), Index{0});
     std::sort(order.begin(), order.end(), [&](Index a, Index b) { return id[a] < id[b]; });
@@ -77,7 +77,7 @@ class TableWriter {
             for (const std::string_view name : strain_names<Dim>()) add_scalar(name);
     }
 
-    void add_fluid(const FluidPhase<Dim>& fluid) {
+    void add_fluid(const ParticleSet<Dim>& fluid) {
         for (const Index i : order_by_id(fluid.id, fluid.owned)) {
             add_identity(FrameMedium::fluid, fluid.body[i], fluid.id[i]);
             add_motion(fluid.position[i], fluid.velocity[i]);
@@ -85,7 +85,7 @@ class TableWriter {
         }
     }
 
-    void add_solid(const SolidPhase<Dim>& solid, const Hyperelastic& law) {
+    void add_solid(const ParticleSet<Dim>& solid, const Hyperelastic& law) {
         for (const Index i : order_by_id(solid.id, solid.owned)) {
             add_identity(FrameMedium::solid, solid.body[i], solid.id[i]);
             add_motion(solid.position[i], solid.velocity[i]);
@@ -96,7 +96,7 @@ class TableWriter {
         }
     }
 
-    void add_wall(const WallPhase<Dim>& wall) {
+    void add_wall(const ParticleSet<Dim>& wall) {
         for (const Index i : order_by_id(wall.id, wall.owned)) {
             add_identity(FrameMedium::wall, wall.body[i], wall.id[i]);
             add_motion(wall.position[i], {});
@@ -112,7 +112,7 @@ class TableWriter {
         table_.scalars.back().value.reserve(table_.particles);
     }
 
-    void add_identity(FrameMedium medium, std::uint16_t body, std::uint32_t id) {
+    void add_identity(FrameMedium medium, std::uint16_t body, std::uint64_t id) {
         table_.medium.push_back(static_cast<std::uint8_t>(medium));
         table_.body.push_back(body);
         table_.id.push_back(id);
@@ -126,7 +126,7 @@ class TableWriter {
     }
 
     /// Cauchy stress and Green strain (FᵀF − I)/2.
-    void add_deformed(const SolidPhase<Dim>& solid, const Hyperelastic& law, Index i) {
+    void add_deformed(const ParticleSet<Dim>& solid, const Hyperelastic& law, Index i) {
         const Tensor<Dim> f = tensor_of<Dim>(solid.deformation[i]);
         const Tensor<3> stress = cauchy_stress<Dim>(law, f);
         const double pressure = -stress.trace() / 3;
@@ -156,14 +156,14 @@ class TableWriter {
 }  // namespace
 
 std::size_t bytes_of(const FrameTable& table) {
-    std::size_t bytes = table.medium.size() + 2 * table.body.size() + 4 * table.id.size();
+    std::size_t bytes = table.medium.size() + 2 * table.body.size() + 8 * table.id.size();
     bytes += sizeof(float) * (table.points.size() + table.velocity.size());
     for (const FrameScalar& scalar : table.scalars) bytes += sizeof(float) * scalar.value.size();
     return bytes;
 }
 
 template <int Dim>
-FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall,
+FrameTable frame_table(const ParticleSet<Dim>& fluid, const ParticleSet<Dim>& solid, const ParticleSet<Dim>& wall,
                        const Hyperelastic& law) {
     using Stress = typename TableWriter<Dim>::Stress;
     const Stress stress = solid.owned == 0               ? Stress::none
@@ -176,9 +176,9 @@ FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& soli
     return writer.take();
 }
 
-template FrameTable frame_table<2>(const FluidPhase<2>&, const SolidPhase<2>&, const WallPhase<2>&,
+template FrameTable frame_table<2>(const ParticleSet<2>&, const ParticleSet<2>&, const ParticleSet<2>&,
                                    const Hyperelastic&);
-template FrameTable frame_table<3>(const FluidPhase<3>&, const SolidPhase<3>&, const WallPhase<3>&,
+template FrameTable frame_table<3>(const ParticleSet<3>&, const ParticleSet<3>&, const ParticleSet<3>&,
                                    const Hyperelastic&);
 
 }  // namespace sluice

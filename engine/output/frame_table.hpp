@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/state/phases.hpp"
-#include "kernels/terms/hyperelastic.hpp"
+#include "engine/particles/particle_set.hpp"
+#include "kernels/materials/hyperelastic.hpp"
 
 namespace sluice {
 
@@ -28,7 +28,7 @@ struct FrameTable {
     std::vector<FrameScalar> scalars;  ///< pressure and density; with solids also stress and strain; NaN: no value
     std::vector<std::uint8_t> medium;  ///< FrameMedium
     std::vector<std::uint16_t> body;   ///< index into the scene's bodies, for walls into its walls
-    std::vector<std::uint32_t> id;     ///< number within the medium
+    std::vector<std::uint64_t> id;     ///< number within the medium
 };
 
 /// What it takes in memory.
@@ -36,7 +36,7 @@ std::size_t bytes_of(const FrameTable& table);
 
 /// Images are left out. `law`: of a total-Lagrangian solid, whose stress and Green strain follow from its deformation.
 template <int Dim>
-FrameTable frame_table(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const WallPhase<Dim>& wall,
+FrameTable frame_table(const ParticleSet<Dim>& fluid, const ParticleSet<Dim>& solid, const ParticleSet<Dim>& wall,
                        const Hyperelastic& law = {});
 
 }  // namespace sluice

@@ -37,12 +37,21 @@ void write_counts_and_cells(const Hdf5Group& vtk, std::size_t particles) {
     vtk.dataset<std::uint8_t>("Types", std::vector<std::uint8_t>(particles, vertex_cell));
 }
 
+/// In 32 bits as long as they fit, which is what most readers expect.
+void write_ids(const Hdf5Group& data, const std::vector<std::uint64_t>& id) {
+    const bool fit = std::all_of(id.begin(), id.end(), [](std::uint64_t n) { return n <= UINT32_MAX; });
+    if (fit)
+        data.dataset<std::uint32_t>("id", std::vector<std::uint32_t>(id.begin(), id.end()));
+    else
+        data.dataset<std::uint64_t>("id", id);
+}
+
 void write_point_data(const Hdf5Group& data, const FrameTable& table) {
     data.dataset<float>("velocity", table.velocity, 3);
     for (const FrameScalar& scalar : table.scalars) data.dataset<float>(scalar.name, scalar.value);
     data.dataset<std::uint8_t>("phase", table.medium);
     data.dataset<std::uint16_t>("body", table.body);
-    data.dataset<std::uint32_t>("id", table.id);
+    write_ids(data, table.id);
 }
 
 void write_label(const Hdf5Group& group, const FrameLabel& label) {

@@ -64,6 +64,10 @@ std::size_t Hdf5Source::count(const std::string& name) const {
     return static_cast<std::size_t>(n);
 }
 
+std::size_t Hdf5Source::value_bytes(const std::string& name) const {
+    return H5Tget_size(opened(H5Dget_type(dataset(name).get()), H5Tclose, name).get());
+}
+
 void Hdf5Source::read_dataset(const std::string& name, hid_t type, void* values, std::size_t expected) const {
     check(count(name) == expected, "it has another number of values in", name);
     const Hdf5Handle set = dataset(name);

@@ -27,6 +27,8 @@ class Hdf5Source {
 
     /// Values in a dataset.
     std::size_t count(const std::string& name) const;
+    /// Of each value in a dataset.
+    std::size_t value_bytes(const std::string& name) const;
     /// Fills `values` from a dataset of as many.
     template <class T>
     void read(const std::string& name, std::span<T> values) const {

@@ -41,7 +41,7 @@ void cut_by_walls(Range& range, const std::vector<Wall>& walls, int axis) {
 }
 
 template <int Dim>
-double largest_smoothing_length(const FluidPhase<Dim>& fluid) {
+double largest_smoothing_length(const ParticleSet<Dim>& fluid) {
     double h = 0;
     for (std::size_t j = 0; j < fluid.owned; ++j) h = std::max(h, fluid.smoothing_length[j]);
     return h;
@@ -69,7 +69,7 @@ class LevelProbe : public ProbeSampler<Dim> {
     std::vector<std::string> columns() const override { return {name_ + ".level [m]"}; }
 
     void sample(const Simulation<Dim>& simulation, std::vector<double>& values) const override {
-        const FluidPhase<Dim>& fluid = simulation.fluid();
+        const ParticleSet<Dim>& fluid = simulation.fluid();
         const Scene& scene = simulation.scene();
         double volume = 0;
         for (std::size_t j = 0; j < fluid.owned; ++j) {

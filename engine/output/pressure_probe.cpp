@@ -38,7 +38,7 @@ class SurfacePressureProbe : public PressureProbe<Dim> {
 ///   p = Σ_j V_j p_j W_j / Σ_j V_j W_j
 template <int Dim>
 double fluid_pressure_at(const Simulation<Dim>& simulation, const Vec<Dim>& at) {
-    const FluidPhase<Dim>& fluid = simulation.fluid();
+    const ParticleSet<Dim>& fluid = simulation.fluid();
     const Smoothing<Dim> w(simulation.scene().method.smoothing_function);
     double sum = 0, weights = 0;
     for (std::size_t j = 0; j < fluid.owned; ++j) {
@@ -105,7 +105,7 @@ ProbeSamplerPtr<Dim> make_pressure_probe(const Probe& probe, const Simulation<Di
     if (!probe.body) return std::make_unique<FluidPressureProbe<Dim>>(probe.name, at);
     const std::size_t element = nearest_of(initial.interface(), *probe.body, at);
     if (element < initial.interface().owned) return std::make_unique<SurfacePressureProbe<Dim>>(probe.name, element);
-    const BoundaryParticles<Dim>& boundary = initial.boundary();
+    const ParticleSet<Dim>& boundary = initial.boundary();
     const std::size_t particle = nearest_of(boundary, *probe.body, at);
     if (particle < boundary.owned)
         return std::make_unique<BoundaryPressureProbe<Dim>>(probe.name, particle, at - boundary.position[particle]);

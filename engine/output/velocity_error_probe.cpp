@@ -20,7 +20,7 @@ class VelocityErrorProbe : public ProbeSampler<Dim> {
     std::vector<std::string> columns() const override { return {name_ + ".rms [m/s]"}; }
 
     void sample(const Simulation<Dim>& simulation, std::vector<double>& values) const override {
-        const FluidPhase<Dim>& fluid = simulation.fluid();
+        const ParticleSet<Dim>& fluid = simulation.fluid();
         double sum = 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < fluid.owned; ++i) {

@@ -16,15 +16,16 @@ namespace {
 
 py::dtype dtype_of(api::ColumnType type) {
     switch (type) {
-        case api::ColumnType::uint32:
-            return py::dtype::of<std::uint32_t>();
+        case api::ColumnType::uint64:
+            return py::dtype::of<std::uint64_t>();
         case api::ColumnType::uint16:
             return py::dtype::of<std::uint16_t>();
         case api::ColumnType::uint8:
             return py::dtype::of<std::uint8_t>();
-        default:
+        case api::ColumnType::float64:
             return py::dtype::of<double>();
     }
+    throw std::logic_error("a column of particles has no type");
 }
 
 /// An array over memory that `owner` keeps alive.

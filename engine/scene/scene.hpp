@@ -10,8 +10,8 @@
 #include "engine/errors.hpp"
 #include "engine/geometry/shape.hpp"
 #include "engine/scene/reference.hpp"
-#include "kernels/density_passes.hpp"
-#include "kernels/fluid_passes.hpp"
+#include "kernels/passes/density_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
 #include "kernels/smoothing.hpp"
 
 namespace sluice {
@@ -94,7 +94,7 @@ struct MediumMethod {
     double artificial_viscosity = 0;             ///< α of eq. (12)
     double artificial_stress = 0;                ///< e of eq. (14)
     int artificial_stress_exponent = 4;          ///< q of eq. (11)
-    double hourglass_control = 0.85;             ///< ζ of kernels/total_lagrangian_passes.hpp, which says why 0.85
+    double hourglass_control = 0.85;             ///< ζ of kernels/passes/total_lagrangian_passes.hpp, which says why 0.85
 };
 
 enum class Preset { paper, modern };

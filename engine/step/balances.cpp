@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "kernels/terms/jaumann.hpp"
+#include "kernels/materials/jaumann.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
 namespace {
 
 template <int Dim>
-void add_motion(const PhaseBase<Dim>& phase, const Vec<Dim>& gravity, EnergyBalance& e) {
+void add_motion(const ParticleSet<Dim>& phase, const Vec<Dim>& gravity, EnergyBalance& e) {
     e.kinetic +=
         ordered_sum<double>(phase.owned, [&](std::size_t i) { return 0.5 * phase.mass[i] * norm2(phase.velocity[i]); });
     e.potential -= ordered_sum<double>(phase.owned,
@@ -18,7 +18,7 @@ void add_motion(const PhaseBase<Dim>& phase, const Vec<Dim>& gravity, EnergyBala
 
 /// Energies that both media of the paper have.
 template <int Dim>
-void add_common(const PhaseBase<Dim>& phase, const LinearEquationOfState& eos, const Vec<Dim>& gravity,
+void add_common(const ParticleSet<Dim>& phase, const LinearEquationOfState& eos, const Vec<Dim>& gravity,
                 EnergyBalance& e) {
     add_motion(phase, gravity, e);
     e.compression +=
@@ -52,21 +52,21 @@ EnergyBalance energy_of(const State<Dim>& state) {
 
 template <int Dim>
 Vec<Dim> momentum_of(const State<Dim>& state) {
-    const auto of = [](const PhaseBase<Dim>& phase) {
+    const auto of = [](const ParticleSet<Dim>& phase) {
         return ordered_sum<Vec<Dim>>(phase.owned, [&](std::size_t i) { return phase.mass[i] * phase.velocity[i]; });
     };
     return of(state.fluid) + of(state.solid);
 }
 
 template <int Dim>
-double highest_speed(const PhaseBase<Dim>& phase) {
+double highest_speed(const ParticleSet<Dim>& phase) {
     return std::sqrt(nonnegative_max(phase.owned, [&](std::size_t i) { return norm2(phase.velocity[i]); }));
 }
 
 #define SLUICE_INSTANTIATE(Dim)                               \
     template EnergyBalance energy_of<Dim>(const State<Dim>&); \
     template Vec<Dim> momentum_of<Dim>(const State<Dim>&);    \
-    template double highest_speed<Dim>(const PhaseBase<Dim>&);
+    template double highest_speed<Dim>(const ParticleSet<Dim>&);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

@@ -1,7 +1,7 @@
 // What a state holds as a whole: energy, momentum, highest speed. Sums do not depend on the number of threads.
 #pragma once
 
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 #include "engine/step/energy_balance.hpp"
 
 namespace sluice {
@@ -16,6 +16,6 @@ Vec<Dim> momentum_of(const State<Dim>& state);
 
 /// Highest |v| of a phase [m/s]; NaN if any is not finite.
 template <int Dim>
-double highest_speed(const PhaseBase<Dim>& phase);
+double highest_speed(const ParticleSet<Dim>& phase);
 
 }  // namespace sluice

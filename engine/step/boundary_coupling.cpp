@@ -40,7 +40,7 @@ void BoundaryCoupling<Dim>::friction(Vec<Dim>& on_solid, Vec<Dim>& on_fluid) {
     // Images of the fluid at a mirror wall move along with it: the mean over the fluid alone has the same tangent.
     boundary_ghost_velocity<Dim>(view_of(boundary), fluid_view, lists.boundary_fluid, c_.method,
                                  boundary.ghost_velocity);
-    c_.neighbors.refresh_boundary_friction();
+    c_.state.boundary.refresh_ghosts(column::ghost_velocity);
     ParticleView<Dim> ghosts = view_of(boundary);
     ghosts.velocity = columns_of(boundary.ghost_velocity);
     on_solid += boundary_friction_reaction<Dim>(ghosts, fluid_view, lists.boundary_fluid, viscosity, c_.method,
@@ -69,12 +69,12 @@ void BoundaryCoupling<Dim>::follow(const VectorField<Dim>& position, const Vecto
     const auto& solid = c_.state.solid;
     const auto& index_of_id = c_.neighbors.solid_index_of_id();
     parallel_for(boundary.owned, [&](std::size_t i) {
-        const Index s = index_of_id[boundary.solid[i]];
+        const Index s = index_of_id[boundary.solid_id[i]];
         boundary.position.set(i, position[s]);
         boundary.velocity.set(i, velocity[s]);
         boundary.volume[i] = solid.mass[s] / solid.density[s];
     });
-    c_.neighbors.refresh_boundary();
+    c_.state.boundary.refresh_ghosts(column::position, column::velocity, column::mean_acceleration, column::volume);
 }
 
 template <int Dim>
@@ -84,8 +84,8 @@ void BoundaryCoupling<Dim>::follow_acceleration() {
     const auto& index_of_id = c_.neighbors.solid_index_of_id();
     const bool follows = relaxation_ < 1;
     parallel_for(boundary.owned, [&](std::size_t i) {
-        const Vec<Dim> a_s = solid.mean_acceleration[index_of_id[boundary.solid[i]]], last = boundary.acceleration[i];
-        boundary.acceleration.set(i, follows ? last + relaxation_ * (a_s - last) : a_s);
+        const Vec<Dim> a_s = solid.mean_acceleration[index_of_id[boundary.solid_id[i]]], last = boundary.mean_acceleration[i];
+        boundary.mean_acceleration.set(i, follows ? last + relaxation_ * (a_s - last) : a_s);
     });
 }
 
@@ -95,7 +95,7 @@ void BoundaryCoupling<Dim>::hand_over() {
     auto& solid = c_.state.solid;
     const auto& index_of_id = c_.neighbors.solid_index_of_id();
     parallel_for(boundary.owned, [&](std::size_t i) {
-        const Index s = index_of_id[boundary.solid[i]];
+        const Index s = index_of_id[boundary.solid_id[i]];
         solid.interface_acceleration.set(s, (1 / solid.mass[s]) * boundary.force[i]);
     });
 }

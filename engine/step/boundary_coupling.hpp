@@ -5,7 +5,7 @@
 #include "engine/scene/light_solid.hpp"
 #include "engine/step/context.hpp"
 #include "engine/step/interface_balance.hpp"
-#include "kernels/boundary_passes.hpp"
+#include "kernels/passes/boundary_passes.hpp"
 
 namespace sluice {
 

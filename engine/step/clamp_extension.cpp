@@ -87,7 +87,7 @@ bool free_behind(const VectorField<Dim>& position, const Array<Index>& among, co
 }  // namespace
 
 template <int Dim>
-ClampExtension<Dim>::ClampExtension(const Scene& scene, SolidPhase<Dim>& solid, const NeighborList& list,
+ClampExtension<Dim>::ClampExtension(const Scene& scene, ParticleSet<Dim>& solid, const NeighborList& list,
                                     double support) {
     const std::size_t n = solid.owned;
     extended_.assign(n, 0);
@@ -147,7 +147,7 @@ ClampExtension<Dim>::ClampExtension(const Scene& scene, SolidPhase<Dim>& solid, 
 }
 
 template <int Dim>
-void ClampExtension<Dim>::share_energy(SolidPhase<Dim>& solid) const {
+void ClampExtension<Dim>::share_energy(ParticleSet<Dim>& solid) const {
     for (std::size_t i = 0; i < share_.size(); ++i) {
         solid.elastic_share[i] = share_[i];
         solid.hourglass_stiffness[i] *= share_[i];
@@ -156,7 +156,7 @@ void ClampExtension<Dim>::share_energy(SolidPhase<Dim>& solid) const {
 }
 
 template <int Dim>
-void ClampExtension<Dim>::displace(SolidPhase<Dim>& solid) const {
+void ClampExtension<Dim>::displace(ParticleSet<Dim>& solid) const {
     for (const Pair& p : pair_) {
         solid.position.set(p.behind, p.start - p.ratio * (solid.position[p.of] - p.start_of));
         solid.velocity.set(p.behind, -p.ratio * solid.velocity[p.of]);
@@ -164,7 +164,7 @@ void ClampExtension<Dim>::displace(SolidPhase<Dim>& solid) const {
 }
 
 template <int Dim>
-void ClampExtension<Dim>::hand_over(SolidPhase<Dim>& solid) const {
+void ClampExtension<Dim>::hand_over(ParticleSet<Dim>& solid) const {
     for (const Pair& p : pair_) {
         const double share = p.ratio * solid.mass[p.behind] / solid.mass[p.of];
         solid.acceleration.set(p.of, solid.acceleration[p.of] - share * solid.acceleration[p.behind]);
@@ -174,7 +174,7 @@ void ClampExtension<Dim>::hand_over(SolidPhase<Dim>& solid) const {
 }
 
 template <int Dim>
-void ClampExtension<Dim>::put_back(SolidPhase<Dim>& solid) const {
+void ClampExtension<Dim>::put_back(ParticleSet<Dim>& solid) const {
     for (const Pair& p : pair_) {
         solid.velocity.set(p.behind, {});
         solid.position.set(p.behind, p.start);

@@ -12,13 +12,13 @@
 //
 // What is behind the surface has no energy. Where the surface cuts particles' cells, as an arc must, each has that
 // share of its energy which its cell has outside the clamp, be its centre held or not: ψ and k of
-// kernels/total_lagrangian_passes.hpp times `elastic_share`. And all whose cells are cut follow, those with their
+// kernels/passes/total_lagrangian_passes.hpp times `elastic_share`. And all whose cells are cut follow, those with their
 // centre outside by s_b < 0, as u = s_b/s_j u_j. That keeps a bar under uniform strain in balance, which decides the
 // order: with whole cells, or with cut ones that move by themselves, a bar acts as if it were up to a spacing, or 0.7
 // of it, longer than it is; so 0.04 at the most (one dimension, h = 1.2 d, surface anywhere between two particles).
 //
 // Particles whose share is 0 are rigid: L = 0 and k = 0, so that F = I and T = 0. What is left of the energy (b) of
-// kernels/total_lagrangian_passes.hpp depends on free particles only, directly and by way of those that follow, so that
+// kernels/passes/total_lagrangian_passes.hpp depends on free particles only, directly and by way of those that follow, so that
 // a force f_b on one of these is one of −r f_b on its j: f_j = −∂U/∂x_j, and energy is kept.
 //
 // Held as before, u = 0, are particles that have free ones on both sides of them, as in a body clamped in its middle
@@ -29,7 +29,7 @@
 #include <span>
 
 #include "engine/scene/scene.hpp"
-#include "engine/state/phases.hpp"
+#include "engine/particles/particle_set.hpp"
 #include "neighbor/neighbor_list.hpp"
 
 namespace sluice {
@@ -40,7 +40,7 @@ class ClampExtension {
     ClampExtension() = default;
     /// For particles where they are at the start; those that the clamp's surface cuts become clamped. `list` holds each
     /// one's neighbours in the reference configuration, `support` [m] is how far they reach.
-    ClampExtension(const Scene& scene, SolidPhase<Dim>& solid, const NeighborList& list, double support);
+    ClampExtension(const Scene& scene, ParticleSet<Dim>& solid, const NeighborList& list, double support);
 
     /// Which held particles have no energy: 1 for each of them.
     std::span<const std::uint8_t> rigid() const { return rigid_; }
@@ -49,12 +49,12 @@ class ClampExtension {
     bool empty() const { return pair_.empty(); }
 
     /// elastic_share of each particle, k times that, and L = 0 for rigid ones.
-    void share_energy(SolidPhase<Dim>& solid) const;
+    void share_energy(ParticleSet<Dim>& solid) const;
     /// Moves extended particles to where the mirror image of the displacement, and of the velocity, puts them.
-    void displace(SolidPhase<Dim>& solid) const;
+    void displace(ParticleSet<Dim>& solid) const;
     /// Gives their acceleration's force to those that they follow, and puts them back.
-    void hand_over(SolidPhase<Dim>& solid) const;
-    void put_back(SolidPhase<Dim>& solid) const;
+    void hand_over(ParticleSet<Dim>& solid) const;
+    void put_back(ParticleSet<Dim>& solid) const;
 
   private:
     /// Particle `behind` the surface, or cut by it, follows free particle `of`.

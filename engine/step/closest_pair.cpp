@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/step/context.hpp"
-#include "kernels/crowding_passes.hpp"
+#include "kernels/passes/crowding_passes.hpp"
 
 namespace sluice {
 

@@ -51,7 +51,7 @@ void SolidContact<Dim>::set_thresholds() {
     raise(search_.among_bodies, body_threshold_);
     raise(search_.at_walls, wall_threshold_);
     for (Particles* p : {&search_.among_bodies, &search_.at_walls}) clear(p->force_density);  // it was ∇σ
-    for (const ImagePlane<Dim>& plane : c_.state.image_planes) {
+    for (const GhostPlane<Dim>& plane : c_.state.ghost_planes) {
         plane_threshold_.emplace_back();
         if (!plane.is_mirror()) continue;
         ScalarField& z0 = plane_threshold_.back();
@@ -148,7 +148,7 @@ template <int Dim>
 double SolidContact<Dim>::depth(std::size_t plane, std::size_t i) const {
     const auto& solid = c_.state.solid;
     if (plane_threshold_[plane].empty()) return 0;  // a side of a periodic box
-    const double z = c_.state.image_planes[plane].distance(solid.position[i]);
+    const double z = c_.state.ghost_planes[plane].distance(solid.position[i]);
     return std::max(plane_threshold_[plane][solid.id[i]] - z, 0.0);
 }
 
@@ -166,7 +166,7 @@ void SolidContact<Dim>::push_at_planes() {
     auto& solid = c_.state.solid;
     for (std::size_t p = 0; p < search_.at_planes.size(); ++p) {
         const Array<Index>& near = search_.at_planes[p];
-        const Vec<Dim> normal = c_.state.image_planes[p].normal;
+        const Vec<Dim> normal = c_.state.ghost_planes[p].normal;
         parallel_for(near.size(), [&](std::size_t n) {
             const Index i = near[n];
             const double force = plane_stiffness(i) * depth(p, i);
@@ -202,7 +202,7 @@ Vec<Dim> SolidContact<Dim>::force_on(std::size_t body) const {
             if (p->body[n] == body) sum += p->volume[n] * p->force_density[n];
     for (std::size_t p = 0; p < plane_threshold_.size(); ++p)
         for (std::size_t i = 0; i < solid.owned; ++i)
-            if (solid.body[i] == body) sum += plane_stiffness(i) * depth(p, i) * c_.state.image_planes[p].normal;
+            if (solid.body[i] == body) sum += plane_stiffness(i) * depth(p, i) * c_.state.ghost_planes[p].normal;
     return sum;
 }
 

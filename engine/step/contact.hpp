@@ -1,9 +1,9 @@
-// Contact of solids with each other and with walls (kernels/contact_passes.hpp), within the solid's own steps.
+// Contact of solids with each other and with walls (kernels/passes/contact_passes.hpp), within the solid's own steps.
 #pragma once
 
 #include "engine/step/contact_search.hpp"
 #include "engine/step/context.hpp"
-#include "kernels/contact_passes.hpp"
+#include "kernels/passes/contact_passes.hpp"
 
 namespace sluice {
 
@@ -14,7 +14,7 @@ namespace sluice {
 /// closer than touching), so steps are stable up to 0.92 h/c instead of 0.94 at the worst. At 2 it would be 6 to 15 %.
 inline constexpr double contact_stiffness = 1;
 
-/// Total-Lagrangian solids meet each other, unless they are joined (engine/state/joined_bodies.hpp); any solid meets
+/// Total-Lagrangian solids meet each other, unless they are joined (engine/particles/joined_bodies.hpp); any solid meets
 /// walls. What starts closer than touching has its own place as the threshold: no particle feels a force at the start.
 /// A particle that starts behind a mirror plane never feels it. Walls that move push, too; as they take whole steps,
 /// the solid's own steps see them where they were at the last.

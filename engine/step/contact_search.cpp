@@ -37,7 +37,7 @@ void ContactParticles<Dim>::clear() {
 }
 
 template <int Dim>
-void ContactParticles<Dim>::add(const SolidPhase<Dim>& phase, std::size_t i, double reference_volume) {
+void ContactParticles<Dim>::add(const ParticleSet<Dim>& phase, std::size_t i, double reference_volume) {
     solid.push_back(static_cast<Index>(i));
     body.push_back(phase.body[i]);
     position.push_back(phase.position[i]);
@@ -70,7 +70,7 @@ ContactSearch<Dim>::ContactSearch(State<Dim>& state, const Neighborhood<Dim>& ne
     reach_ = support * 0.5 * (*most + longest);
     skin_ = skin_over_h * *least;
     cell_ = cell_over_h * longest;
-    at_planes.resize(state.image_planes.size());
+    at_planes.resize(state.ghost_planes.size());
 }
 
 template <int Dim>
@@ -196,7 +196,7 @@ void ContactSearch<Dim>::list_planes() {
     const auto& solid = state_.solid;
     for (std::size_t p = 0; p < at_planes.size(); ++p) {
         at_planes[p].clear();
-        const ImagePlane<Dim>& plane = state_.image_planes[p];
+        const GhostPlane<Dim>& plane = state_.ghost_planes[p];
         if (!plane.is_mirror()) continue;
         // Contact begins closer than a smoothing length: half a spacing (contact.cpp).
         for (std::size_t i = 0; i < solid.owned; ++i)

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "neighbor/box.hpp"
 
@@ -18,13 +18,13 @@ struct ContactParticles {
     VectorField<Dim> position;  ///< [m]
     ScalarField volume;         ///< V in the reference configuration [m³; m² in 2D]
     ScalarField smoothing_length;
-    ScalarField density;             ///< σ of kernels/contact_passes.hpp
+    ScalarField density;             ///< σ of kernels/passes/contact_passes.hpp
     ScalarField pressure;            ///< p [Pa]
     VectorField<Dim> force_density;  ///< f/V [N/m³]; before it is known ∇σ [1/m]
 
     std::size_t size() const { return solid.size(); }
     void clear();
-    void add(const SolidPhase<Dim>& phase, std::size_t i, double reference_volume);
+    void add(const ParticleSet<Dim>& phase, std::size_t i, double reference_volume);
     /// Gives the results their size, at zero.
     void finish();
     std::size_t bytes() const;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "engine/effects.hpp"
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/phase_timer.hpp"
 #include "engine/step/step_plan.hpp"
-#include "engine/step/views.hpp"
-#include "kernels/block_loop.hpp"
+#include "kernels/pairs/block_loop.hpp"
+#include "kernels/pairs/particle_view.hpp"
 
 namespace sluice {
 

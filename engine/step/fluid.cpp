@@ -27,7 +27,7 @@ FluidPart<Dim>::FluidPart(StepContext<Dim>& context) : c_(context) {
                       eos.sound_speed, m.diffusion_coefficient, eos.density, state.gravity};
     max_speed_ = speed_ = highest_speed(state.fluid);
     update_fluid_pressure(state);
-    c_.neighbors.refresh_fluid_scalars();
+    c_.state.fluid.refresh_ghosts(column::density, column::pressure, column::pressure_over_rho2);
 }
 
 template <int Dim>
@@ -59,7 +59,7 @@ void FluidPart<Dim>::filter() {
     if (!c_.has(Effect::velocity_filter)) return;
     const auto scope = c_.timer.measure(StepPhase::filter_pass);
     auto& fluid = c_.state.fluid;
-    c_.neighbors.refresh_fluid_velocities();
+    c_.state.fluid.refresh_ghosts(column::velocity);
     // Eq. (16) acts once per step of the paper's scheme, and what it dissipates in a given time depends on how often
     // that is: a longer step takes as many of them at once.
     const double theta = std::pow(c_.scene.method.fluid.velocity_filter, c_.plan.single_rate_steps);
@@ -78,8 +78,7 @@ void FluidPart<Dim>::drift_halfway() {
         if (filtered) fluid.velocity.set(i, v += fluid.velocity_correction[i]);
         fluid.position.set(i, fluid.position[i] + half * v);
     });
-    c_.neighbors.refresh_fluid_positions();
-    c_.neighbors.refresh_fluid_velocities();
+    fluid.refresh_ghosts(column::position, column::velocity);
 }
 
 template <int Dim>
@@ -95,7 +94,7 @@ void FluidPart<Dim>::rates() {
     }
     if (c_.has(Effect::density_gradient)) {
         c_.pairs += density_gradient<Dim>(view_of(fluid), list, c_.method, fluid.density_gradient);
-        c_.neighbors.refresh_fluid_gradients();
+        c_.state.fluid.refresh_ghosts(column::density_gradient);
     }
     ParticleView<Dim> view = view_of(fluid);
     if (c_.has(Effect::excess_density)) {
@@ -106,7 +105,7 @@ void FluidPart<Dim>::rates() {
         parallel_for(fluid.owned, [&](std::size_t i) {
             fluid.excess_density[i] = fluid.density[i] - dot(per_height, fluid.position[i]);
         });
-        c_.neighbors.refresh_fluid_excess();
+        c_.state.fluid.refresh_ghosts(column::excess_density);
         view.density = fluid.excess_density.data();  // in the volumes too, where a percent does not matter
     }
     c_.pairs += diffusive_continuity<Dim>(view, list, diffusion_, c_.method, fluid.density_rate);
@@ -116,8 +115,7 @@ template <int Dim>
 double FluidPart<Dim>::finish() {
     const auto scope = c_.timer.measure(StepPhase::update);
     speed_ = finish_fluid_step(c_.state, acoustic_damping_, c_.plan.dt);
-    c_.neighbors.refresh_fluid_positions();
-    c_.neighbors.refresh_fluid_scalars();
+    c_.state.fluid.refresh_ghosts(column::position, column::density, column::pressure, column::pressure_over_rho2);
     max_speed_ = std::max(speed_, max_speed_);
     return c_.plan.dt * speed_;
 }

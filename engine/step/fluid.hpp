@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/step/context.hpp"
-#include "kernels/density_passes.hpp"
-#include "kernels/fluid_passes.hpp"
+#include "kernels/passes/density_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
 
 namespace sluice {
 

@@ -4,7 +4,7 @@
 
 #include "engine/step/material_update.hpp"
 #include "engine/step/solid_motion.hpp"
-#include "kernels/fluid_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {

@@ -3,7 +3,7 @@
 
 #include "engine/step/contact.hpp"
 #include "engine/step/context.hpp"
-#include "kernels/solid_passes.hpp"
+#include "kernels/passes/solid_passes.hpp"
 
 namespace sluice {
 

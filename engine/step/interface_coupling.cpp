@@ -54,7 +54,11 @@ void InterfaceCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<
 template <int Dim>
 void InterfaceCoupling<Dim>::rates() {
     const auto scope = c_.timer.measure(StepPhase::interface_pass);
-    update_elements(c_.state.solid.halfway_position, halfway_view_of(c_.state.solid));
+    // The solid half-way through the step, as the kinematic condition sees it.
+    ParticleView<Dim> halfway = view_of(c_.state.solid);
+    halfway.position = columns_of(c_.state.solid.halfway_position);
+    halfway.velocity = columns_of(c_.state.solid.mean_velocity);
+    update_elements(c_.state.solid.halfway_position, halfway);
     const auto fluid = view_of(c_.state.fluid), elements = view_of(c_.state.elements);
     ScalarField& rate = c_.state.fluid.density_rate;
     add_interface_continuity<Dim>(fluid, elements, c_.neighbors.fluid_element, c_.method, rate);
@@ -68,7 +72,7 @@ void InterfaceCoupling<Dim>::update_elements(const VectorField<Dim>& solid_posit
     interface_weights<Dim>(view_of(e), solid, c_.neighbors.element_solid, c_.method, e.solid_weight, e.velocity);
     for (std::size_t k = 0; k < e.owned; ++k)
         if (e.solid_weight[k] == 0) e.area_normal.set(k, {});  // torn off its body
-    c_.neighbors.refresh_elements();
+    c_.state.elements.refresh_ghosts(column::position, column::area_normal, column::velocity);
 }
 
 template class InterfaceCoupling<2>;

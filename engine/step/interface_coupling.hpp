@@ -1,10 +1,10 @@
 // The paper's coupling of fluid and solid: a pressure on the elements of their interface
-// (kernels/interface_passes.hpp).
+// (kernels/passes/interface_passes.hpp).
 #pragma once
 
 #include "engine/step/context.hpp"
 #include "engine/step/interface_balance.hpp"
-#include "kernels/interface_passes.hpp"
+#include "kernels/passes/interface_passes.hpp"
 
 namespace sluice {
 

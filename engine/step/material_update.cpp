@@ -1,14 +1,14 @@
 #include "engine/step/material_update.hpp"
 
-#include "kernels/terms/jaumann.hpp"
-#include "kernels/terms/tensile_correction.hpp"
+#include "kernels/materials/jaumann.hpp"
+#include "kernels/materials/tensile_correction.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
 namespace {
 
 template <int Dim>
-void set_fluid_pressure(FluidPhase<Dim>& fluid, const EquationOfState& eos, double acoustic_damping, std::size_t i) {
+void set_fluid_pressure(ParticleSet<Dim>& fluid, const EquationOfState& eos, double acoustic_damping, std::size_t i) {
     const double rho = fluid.density[i];
     double p = eos.pressure(rho);
     if (acoustic_damping != 0)
@@ -18,7 +18,7 @@ void set_fluid_pressure(FluidPhase<Dim>& fluid, const EquationOfState& eos, doub
 }
 
 template <int Dim>
-void set_solid_stress(SolidPhase<Dim>& solid, const LinearEquationOfState& eos, double artificial_stress,
+void set_solid_stress(ParticleSet<Dim>& solid, const LinearEquationOfState& eos, double artificial_stress,
                       std::size_t i) {
     const double rho = solid.density[i], p = eos.pressure(rho);
     solid.pressure[i] = p;
@@ -30,14 +30,14 @@ void set_solid_stress(SolidPhase<Dim>& solid, const LinearEquationOfState& eos, 
 }
 
 template <int Dim>
-void advance_stress(SolidPhase<Dim>& solid, double shear_modulus, double dt, std::size_t i) {
+void advance_stress(ParticleSet<Dim>& solid, double shear_modulus, double dt, std::size_t i) {
     const Tensor<Dim> gradient = tensor_of<Dim>(solid.velocity_gradient[i]);
     const Tensor<Dim> s = sym_to_tensor<Dim>(solid.deviatoric_stress[i]);
     solid.deviatoric_stress.set(i, tensor_to_sym<Dim>(advance_deviatoric_stress<Dim>(s, gradient, shear_modulus, dt)));
 }
 
 template <int Dim>
-void advance_position_and_density(PhaseBase<Dim>& phase, double dt, std::size_t i) {
+void advance_position_and_density(ParticleSet<Dim>& phase, double dt, std::size_t i) {
     phase.position.set(i, phase.position[i] + 0.5 * dt * phase.velocity[i]);
     phase.density[i] += dt * phase.density_rate[i];
 }
@@ -67,7 +67,7 @@ double finish_fluid_step(State<Dim>& state, double acoustic_damping, double dt) 
     const LinearEquationOfState eos = state.water->eos;
     return std::sqrt(nonnegative_max(fluid.owned, [&](std::size_t i) {
         advance_position_and_density(fluid, dt, i);
-        for (const ImagePlane<Dim>& plane : state.image_planes) {
+        for (const GhostPlane<Dim>& plane : state.ghost_planes) {
             if (!plane.is_mirror() || plane.distance(fluid.position[i]) >= 0) continue;
             fluid.position.set(i, plane.image_position(fluid.position[i]));
             fluid.velocity.set(i, plane.image_direction(fluid.velocity[i]));

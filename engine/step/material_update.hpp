@@ -1,7 +1,7 @@
 // Particle by particle: pressure from density, stress from the velocity gradient.
 #pragma once
 
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 
 namespace sluice {
 
@@ -22,7 +22,7 @@ template <int Dim>
 double finish_fluid_step(State<Dim>& state, double acoustic_damping, double dt);
 
 /// The second half of a solid's step: x += v Δt/2, ρ += dρ/dt Δt, S over the step's velocity gradient
-/// (kernels/terms/jaumann.hpp), then as update_solid_stress(). Returns the highest speed likewise.
+/// (kernels/materials/jaumann.hpp), then as update_solid_stress(). Returns the highest speed likewise.
 template <int Dim>
 double finish_solid_step(State<Dim>& state, double artificial_stress, double dt);
 

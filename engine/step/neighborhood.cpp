@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "engine/state/reorder.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -85,7 +84,7 @@ void Neighborhood<Dim>::sort_fluid() {
     auto& fluid = state_.fluid;
     fluid_grid_.build(fluid.position, 0, fluid.owned, cell_over_h_ * largest(fluid.smoothing_length),
                       fluid.smoothing_length);
-    reorder(fluid, fluid_grid_.order());
+    fluid.reorder(fluid_grid_.order());
     fluid_grid_.particles_were_sorted(0);
 }
 
@@ -94,7 +93,7 @@ void Neighborhood<Dim>::sort_solid() {
     auto& solid = state_.solid;
     solid_grid_.build(solid.position, 0, solid.owned, cell_over_h_ * largest(solid.smoothing_length),
                       solid.smoothing_length);
-    reorder(solid, solid_grid_.order());
+    solid.reorder(solid_grid_.order());
     solid_grid_.particles_were_sorted(0);
     ++solid_layout_;
     solid_index_of_id_.resize(solid.owned);
@@ -107,7 +106,7 @@ void Neighborhood<Dim>::sort_walls() {
     if (effects_.has(Effect::moving_wall)) wrap_walls();
     wall_grid_.build(wall.position, 0, wall.owned, cell_over_h_ * largest(wall.smoothing_length),
                      wall.smoothing_length);
-    reorder(wall, wall_grid_.order());
+    wall.reorder(wall_grid_.order());
     wall_grid_.particles_were_sorted(0);
     ++wall_layout_;
     make_wall_images();
@@ -243,7 +242,7 @@ template <int Dim>
 void Neighborhood<Dim>::build_boundary() {
     auto& boundary = state_.boundary;
     for (std::size_t i = 0; i < boundary.owned; ++i)
-        boundary.position.set(i, state_.solid.position[solid_index_of_id_[boundary.solid[i]]]);
+        boundary.position.set(i, state_.solid.position[solid_index_of_id_[boundary.solid_id[i]]]);
     boundary_grid_.build(boundary.position, 0, boundary.owned, cell_over_h_ * state_.max_h, boundary.smoothing_length);
     const bool mirrored = has_images();
     if (mirrored) make_boundary_images();
@@ -267,7 +266,8 @@ std::size_t Neighborhood<Dim>::bytes() const {
     for (const Grid* grid : {&fluid_grid_, &fluid_image_grid_, &wall_grid_, &wall_image_grid_, &solid_grid_,
                              &element_grid_, &element_image_grid_, &boundary_grid_, &boundary_image_grid_})
         sum += grid->bytes();
-    return sum + fluid_images_.bytes() + wall_images_.bytes() + element_images_.bytes() + boundary_images_.bytes();
+    for (const SetId set : all_sets) sum += state_[set].ghosts.bytes();
+    return sum;
 }
 
 template class Neighborhood<2>;

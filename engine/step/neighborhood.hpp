@@ -3,9 +3,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 #include "engine/step/skin.hpp"
 #include "neighbor/cluster_grid.hpp"
 #include "neighbor/neighbor_list.hpp"
@@ -36,20 +37,6 @@ class Neighborhood {
     void leave_out_clamped(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended);
     /// The rows of solid_solid whose forces are asked for: not of those that are clamped, but for those `extended`.
     const NeighborList& moving_solid() const { return effects_.has(Effect::clamp) ? moving_solid_ : solid_solid; }
-
-    /// Images follow their owners.
-    void refresh_fluid_positions();
-    void refresh_fluid_velocities();
-    void refresh_fluid_scalars();
-    void refresh_fluid_gradients();
-    void refresh_fluid_excess();
-    void refresh_fluid_surface();
-    void refresh_elements();
-    void refresh_boundary();
-    void refresh_wall_pressure();
-    void refresh_wall_motion();
-    void refresh_wall_friction();
-    void refresh_boundary_friction();
 
     const std::vector<Index>& solid_index_of_id() const { return solid_index_of_id_; }
     /// These change when particles have changed their places in memory.
@@ -87,12 +74,14 @@ class Neighborhood {
     void leave_out_resting(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended);
     void prune_fluid();
     void prune_solid();
-    bool has_images() const { return !state_.image_planes.empty(); }
+    bool has_images() const { return !state_.ghost_planes.empty(); }
     void wrap_fluid();
     void sort_fluid();
     void sort_solid();
     void wrap_walls();
     void sort_walls();
+    template <class Range>
+    void make_ghosts(ParticleSet<Dim>& set, Grid& grid, double cell, bool with_reach, Range&& range);
     void make_fluid_images();
     void make_wall_images();
     void make_element_images();
@@ -109,7 +98,6 @@ class Neighborhood {
     SkinAccount fluid_skin_, solid_skin_, coupling_skin_;
     std::uint64_t builds_ = 0, solid_layout_ = 0, wall_layout_ = 0;
     std::vector<Index> solid_index_of_id_;
-    Images<Dim> fluid_images_, wall_images_, element_images_, boundary_images_;
     Grid fluid_grid_, fluid_image_grid_, wall_grid_, wall_image_grid_, solid_grid_, element_grid_, element_image_grid_,
         boundary_grid_, boundary_image_grid_;
     NeighborList moving_solid_;
@@ -122,8 +110,7 @@ void Neighborhood<Dim>::visit_state(Visit&& visit) {
     visit("fluid_skin", fluid_skin_), visit("solid_skin", solid_skin_), visit("coupling_skin", coupling_skin_);
     visit("builds", builds_), visit("solid_layout", solid_layout_), visit("wall_layout", wall_layout_);
     visit("solid_index_of_id", solid_index_of_id_);
-    visit("fluid_images", fluid_images_), visit("wall_images", wall_images_);
-    visit("element_images", element_images_), visit("boundary_images", boundary_images_);
+    for (const SetId set : all_sets) visit(std::string(name_of(set)) + "_ghosts", state_[set].ghosts);
     visit("fluid_grid", fluid_grid_), visit("fluid_image_grid", fluid_image_grid_);
     visit("wall_grid", wall_grid_), visit("wall_image_grid", wall_image_grid_), visit("solid_grid", solid_grid_);
     visit("element_grid", element_grid_), visit("element_image_grid", element_image_grid_);

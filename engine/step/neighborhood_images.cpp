@@ -17,7 +17,7 @@ double largest(const ScalarField& h) { return h.empty() ? 1.0 : *std::max_elemen
 template <int Dim>
 void Neighborhood<Dim>::wrap_fluid() {
     auto& fluid = state_.fluid;
-    for (const ImagePlane<Dim>& plane : state_.image_planes) {
+    for (const GhostPlane<Dim>& plane : state_.ghost_planes) {
         if (plane.is_mirror()) continue;
         parallel_for(fluid.owned, [&](std::size_t i) {
             const Vec<Dim> x = fluid.position[i];
@@ -30,7 +30,7 @@ void Neighborhood<Dim>::wrap_fluid() {
 template <int Dim>
 void Neighborhood<Dim>::wrap_walls() {
     auto& wall = state_.wall;
-    for (const ImagePlane<Dim>& plane : state_.image_planes) {
+    for (const GhostPlane<Dim>& plane : state_.ghost_planes) {
         if (plane.is_mirror()) continue;
         const Vec<Dim> shift = plane.shift * plane.normal;
         parallel_for(wall.owned, [&](std::size_t i) {
@@ -41,27 +41,26 @@ void Neighborhood<Dim>::wrap_walls() {
     }
 }
 
+/// Ghosts of a set and the grid that they stand in, for all that is no farther from a plane than range(i). [m]
+template <int Dim>
+template <class Range>
+void Neighborhood<Dim>::make_ghosts(ParticleSet<Dim>& set, Grid& grid, double cell, bool with_reach, Range&& range) {
+    set.ghosts.create(state_.ghost_planes, set.position, set.owned, range);
+    set.ghosts.template extend<Mirror::same>(set.smoothing_length, set.owned);
+    const std::span<const double> reach = with_reach ? std::span<const double>(set.smoothing_length) : std::span<const double>();
+    grid.build(set.position, set.owned, set.size(), cell, reach);
+    set.ghosts.reorder(grid.order(), set.owned);
+    grid.particles_were_sorted(set.owned);
+    set.extend_ghosts();
+}
+
 template <int Dim>
 void Neighborhood<Dim>::make_fluid_images() {
     auto& fluid = state_.fluid;
     // A particle at distance s from the plane has its image at −s; the nearest that can feel it stands on the plane.
     const double farthest = half_support() * state_.max_h + fluid_skin_.skin();
-    fluid_images_.create(state_.image_planes, fluid.position, fluid.owned,
-                         [&](std::size_t i) { return half_support() * fluid.smoothing_length[i] + farthest; });
-    const std::size_t n = fluid.position.size();
-    fluid_images_.extend(fluid.smoothing_length, fluid.owned);
-    fluid_image_grid_.build(fluid.position, fluid.owned, n, cell_over_h_ * largest(fluid.smoothing_length),
-                            fluid.smoothing_length);
-    fluid_images_.reorder(fluid_image_grid_.order(), fluid.owned);
-    fluid_image_grid_.particles_were_sorted(fluid.owned);
-    for (ScalarField* column :
-         {&fluid.density, &fluid.mass, &fluid.smoothing_length, &fluid.pressure, &fluid.pressure_over_rho2})
-        fluid_images_.extend(*column, fluid.owned);
-    fluid.velocity.resize(n);
-    if (effects_.has(Effect::density_gradient)) fluid.density_gradient.resize(n);
-    if (effects_.has(Effect::excess_density)) fluid_images_.extend(fluid.excess_density, fluid.owned);
-    refresh_fluid_positions();
-    refresh_fluid_velocities();
+    make_ghosts(fluid, fluid_image_grid_, cell_over_h_ * largest(fluid.smoothing_length), true,
+                [&](std::size_t i) { return half_support() * fluid.smoothing_length[i] + farthest; });
 }
 
 template <int Dim>
@@ -69,153 +68,32 @@ void Neighborhood<Dim>::make_wall_images() {
     if (!has_images()) return;
     auto& wall = state_.wall;
     const double farthest = half_support() * state_.max_h + fluid_skin_.skin();
-    wall_images_.create(state_.image_planes, wall.position, wall.owned,
-                        [&](std::size_t i) { return half_support() * wall.smoothing_length[i] + farthest; });
-    wall_images_.extend(wall.smoothing_length, wall.owned);
-    wall_image_grid_.build(wall.position, wall.owned, wall.position.size(),
-                           cell_over_h_ * largest(wall.smoothing_length), wall.smoothing_length);
-    wall_images_.reorder(wall_image_grid_.order(), wall.owned);
-    wall_image_grid_.particles_were_sorted(wall.owned);
-    wall_images_.refresh_positions(wall.position, wall.owned);
-    for (ScalarField* column : {&wall.volume, &wall.smoothing_length, &wall.pressure})
-        wall_images_.extend(*column, wall.owned);
-    if (effects_.has(Effect::no_slip_wall)) {
-        wall_images_.extend(wall.friction_volume, wall.owned);
-        wall.ghost_velocity.resize(wall.position.size());
-    }
-    if (!effects_.has(Effect::moving_wall)) return;
-    wall.velocity.resize(wall.position.size());
-    wall_images_.refresh_directions(wall.velocity, wall.owned);
+    make_ghosts(wall, wall_image_grid_, cell_over_h_ * largest(wall.smoothing_length), true,
+                [&](std::size_t i) { return half_support() * wall.smoothing_length[i] + farthest; });
 }
 
 template <int Dim>
 void Neighborhood<Dim>::make_element_images() {
-    auto& elements = state_.elements;
     const double farthest = support_ * state_.max_h + coupling_skin_.skin();
-    element_images_.create(state_.image_planes, elements.position, elements.owned,
-                           [&](std::size_t) { return farthest; });
-    const std::size_t n = elements.position.size();
-    elements.area_normal.resize(n);
-    elements.velocity.resize(n);
-    elements.shared_force.resize(n);
-    element_images_.extend(elements.smoothing_length, elements.owned);
-    element_image_grid_.build(elements.position, elements.owned, n, cell_over_h_ * state_.max_h);
-    element_images_.reorder(element_image_grid_.order(), elements.owned);
-    element_image_grid_.particles_were_sorted(elements.owned);
-    refresh_elements();
+    make_ghosts(state_.elements, element_image_grid_, cell_over_h_ * state_.max_h, false,
+                [&](std::size_t) { return farthest; });
 }
 
 template <int Dim>
 void Neighborhood<Dim>::make_boundary_images() {
     auto& boundary = state_.boundary;
     const double farthest = half_support() * state_.max_h + coupling_skin_.skin();
-    boundary_images_.create(state_.image_planes, boundary.position, boundary.owned,
-                            [&](std::size_t i) { return half_support() * boundary.smoothing_length[i] + farthest; });
-    const std::size_t n = boundary.position.size();
-    boundary.velocity.resize(n);
-    boundary.acceleration.resize(n);
-    if (effects_.has(Effect::no_slip_solid)) boundary.ghost_velocity.resize(n);
-    for (ScalarField* column : {&boundary.volume, &boundary.smoothing_length})
-        boundary_images_.extend(*column, boundary.owned);
-    boundary_image_grid_.build(boundary.position, boundary.owned, n, cell_over_h_ * state_.max_h,
-                               boundary.smoothing_length);
-    boundary_images_.reorder(boundary_image_grid_.order(), boundary.owned);
-    boundary_image_grid_.particles_were_sorted(boundary.owned);
-    for (ScalarField* column : {&boundary.volume, &boundary.smoothing_length})
-        boundary_images_.refresh(*column, boundary.owned);
-    refresh_boundary();
+    make_ghosts(boundary, boundary_image_grid_, cell_over_h_ * state_.max_h, true,
+                [&](std::size_t i) { return half_support() * boundary.smoothing_length[i] + farthest; });
 }
 
-template <int Dim>
-void Neighborhood<Dim>::refresh_boundary() {
-    auto& boundary = state_.boundary;
-    boundary_images_.refresh_positions(boundary.position, boundary.owned);
-    boundary_images_.refresh_directions(boundary.velocity, boundary.owned);
-    boundary_images_.refresh_directions(boundary.acceleration, boundary.owned);
-    boundary_images_.refresh(boundary.volume, boundary.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_fluid_positions() {
-    fluid_images_.refresh_positions(state_.fluid.position, state_.fluid.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_fluid_velocities() {
-    fluid_images_.refresh_directions(state_.fluid.velocity, state_.fluid.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_fluid_scalars() {
-    for (ScalarField* column : {&state_.fluid.density, &state_.fluid.pressure, &state_.fluid.pressure_over_rho2})
-        fluid_images_.refresh(*column, state_.fluid.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_fluid_gradients() {
-    fluid_images_.refresh_directions(state_.fluid.density_gradient, state_.fluid.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_fluid_excess() {
-    fluid_images_.refresh(state_.fluid.excess_density, state_.fluid.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_fluid_surface() {
-    fluid_images_.refresh(state_.fluid.surroundings.surface_volume, state_.fluid.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_elements() {
-    auto& elements = state_.elements;
-    element_images_.refresh_positions(elements.position, elements.owned);
-    element_images_.refresh_directions(elements.area_normal, elements.owned);
-    element_images_.refresh_directions(elements.velocity, elements.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_wall_pressure() {
-    wall_images_.refresh(state_.wall.pressure, state_.wall.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_wall_motion() {
-    wall_images_.refresh_positions(state_.wall.position, state_.wall.owned);
-    wall_images_.refresh_directions(state_.wall.velocity, state_.wall.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_wall_friction() {
-    auto& wall = state_.wall;
-    wall_images_.refresh_directions(wall.ghost_velocity, wall.owned);
-}
-
-template <int Dim>
-void Neighborhood<Dim>::refresh_boundary_friction() {
-    auto& boundary = state_.boundary;
-    boundary_images_.refresh_directions(boundary.ghost_velocity, boundary.owned);
-}
-
-#define SLUICE_INSTANTIATE(Dim)                                  \
-    template void Neighborhood<Dim>::wrap_fluid();               \
-    template void Neighborhood<Dim>::wrap_walls();               \
-    template void Neighborhood<Dim>::make_fluid_images();        \
-    template void Neighborhood<Dim>::make_wall_images();         \
-    template void Neighborhood<Dim>::make_element_images();      \
-    template void Neighborhood<Dim>::make_boundary_images();     \
-    template void Neighborhood<Dim>::refresh_boundary();         \
-    template void Neighborhood<Dim>::refresh_fluid_positions();  \
-    template void Neighborhood<Dim>::refresh_fluid_velocities(); \
-    template void Neighborhood<Dim>::refresh_fluid_scalars();    \
-    template void Neighborhood<Dim>::refresh_fluid_gradients();  \
-    template void Neighborhood<Dim>::refresh_fluid_excess();     \
-    template void Neighborhood<Dim>::refresh_fluid_surface();    \
-    template void Neighborhood<Dim>::refresh_elements();         \
-    template void Neighborhood<Dim>::refresh_wall_pressure();    \
-    template void Neighborhood<Dim>::refresh_wall_motion();      \
-    template void Neighborhood<Dim>::refresh_wall_friction();    \
-    template void Neighborhood<Dim>::refresh_boundary_friction();
+#define SLUICE_INSTANTIATE(Dim)                             \
+    template void Neighborhood<Dim>::wrap_fluid();          \
+    template void Neighborhood<Dim>::wrap_walls();          \
+    template void Neighborhood<Dim>::make_fluid_images();   \
+    template void Neighborhood<Dim>::make_wall_images();    \
+    template void Neighborhood<Dim>::make_element_images(); \
+    template void Neighborhood<Dim>::make_boundary_images();
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

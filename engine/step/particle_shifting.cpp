@@ -34,7 +34,7 @@ double ParticleShifting<Dim>::shift(std::uint64_t step) {
     const double longest = std::sqrt(nonnegative_max(fluid.owned, [&](std::size_t i) {
         const double h = fluid.smoothing_length[i];
         const double path = std::min(duration * norm(fluid.velocity[i]), largest_diffusivity * h / terms_.strength);
-        const Vec<Dim> displacement = particle_shift<Dim>(terms_, fluid.surroundings[i], h, path);
+        const Vec<Dim> displacement = particle_shift<Dim>(terms_, surroundings_of<Dim>(fluid, i), h, path);
         fluid.position.set(i, fluid.position[i] + displacement);
         return norm2(displacement);
     }));
@@ -56,19 +56,18 @@ std::uint64_t ParticleShifting<Dim>::interval_for(double path_over_h) const {
 template <int Dim>
 void ParticleShifting<Dim>::look_around() {
     auto& fluid = c_.state.fluid;
-    auto& around = fluid.surroundings;
-    around.reset(fluid.position.size());
+    clear_surroundings<Dim>(fluid, fluid.owned, fluid.size());
     const auto view = view_of(fluid);
-    c_.pairs += shift_sums<Dim>(view, c_.neighbors.fluid_fluid, terms_, c_.method, around);
+    c_.pairs += shift_sums<Dim>(view, c_.neighbors.fluid_fluid, terms_, c_.method, fluid);
     if (c_.has(Effect::fixed_wall))
         c_.pairs +=
-            boundary_shift_sums<Dim>(view, view_of(c_.state.wall), c_.neighbors.fluid_wall, terms_, c_.method, around);
+            boundary_shift_sums<Dim>(view, view_of(c_.state.wall), c_.neighbors.fluid_wall, terms_, c_.method, fluid);
     if (c_.has(Effect::moving_boundary))
         for (const NeighborList* list : {&c_.neighbors.fluid_boundary, &c_.neighbors.image_boundary})
-            c_.pairs += boundary_shift_sums<Dim>(view, view_of(c_.state.boundary), *list, terms_, c_.method, around);
-    mark_free_surface<Dim>(view, fluid.owned, around);
-    c_.neighbors.refresh_fluid_surface();
-    c_.pairs += surface_normals<Dim>(view, c_.neighbors.fluid_fluid, c_.method, around);
+            c_.pairs += boundary_shift_sums<Dim>(view, view_of(c_.state.boundary), *list, terms_, c_.method, fluid);
+    mark_free_surface<Dim>(view, fluid.owned, fluid);
+    c_.state.fluid.refresh_ghosts(column::surface_volume);
+    c_.pairs += surface_normals<Dim>(view, c_.neighbors.fluid_fluid, c_.method, fluid);
 }
 
 template class ParticleShifting<2>;

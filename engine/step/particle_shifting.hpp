@@ -1,7 +1,8 @@
-// Particle shifting in a step (kernels/shift_passes.hpp).
+// Particle shifting in a step (kernels/passes/shift_passes.hpp).
 #pragma once
 
 #include "engine/step/context.hpp"
+#include "kernels/passes/shift_passes.hpp"
 
 namespace sluice {
 

@@ -8,7 +8,7 @@
 #include "engine/effects.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/light_solid.hpp"
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 
 namespace sluice {
 namespace {
@@ -33,7 +33,7 @@ constexpr double contact_step_ratio = 0.85;
 template <int Dim>
 std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state) {
     std::vector<CourantLimit> limits;
-    const auto add = [&](const PhaseBase<Dim>& phase, const std::optional<Medium>& medium, double sound_speed,
+    const auto add = [&](const ParticleSet<Dim>& phase, const std::optional<Medium>& medium, double sound_speed,
                          double share) {
         const double h = *std::min_element(phase.smoothing_length.begin(), phase.smoothing_length.end());
         const double nu = medium->viscosity;

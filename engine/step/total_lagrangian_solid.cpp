@@ -27,7 +27,7 @@ TotalLagrangianSolid<Dim>::TotalLagrangianSolid(StepContext<Dim>& context, Solid
     const double alpha = c_.has(Effect::solid_viscosity) ? m.artificial_viscosity : 0.0;
     viscosity_ = {alpha, medium.eos.sound_speed, medium.eos.density};
     const double stiffness = c_.has(Effect::hourglass_control) ? m.hourglass_control * 2 * law_.mu : 0.0;
-    elastic_correction<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, stiffness, c_.method,
+    elastic_correction<Dim>(view_of(solid), c_.neighbors.solid_solid, stiffness, c_.method,
                             solid.gradient_correction, solid.hourglass_stiffness);
     if (c_.has(Effect::clamp_extension)) {
         const double h = *std::max_element(solid.smoothing_length.begin(), solid.smoothing_length.end());
@@ -117,7 +117,7 @@ void TotalLagrangianSolid<Dim>::update_stress() {
 template <int Dim>
 std::uint64_t TotalLagrangianSolid<Dim>::elastic_forces(const ElasticViscosity& viscosity) {
     auto& solid = c_.state.solid;
-    const auto view = reference_view_of(solid);
+    const auto view = view_of(solid);
     behind_clamp_.displace(solid);
     std::uint64_t pairs = 0;
     {
@@ -205,7 +205,7 @@ double TotalLagrangianSolid<Dim>::hourglass_energy() const {
     auto& solid = c_.state.solid;
     ScalarField energy(solid.owned);
     behind_clamp_.displace(solid);
-    sluice::hourglass_energy<Dim>(reference_view_of(solid), c_.neighbors.solid_solid, c_.method, energy);
+    sluice::hourglass_energy<Dim>(view_of(solid), c_.neighbors.solid_solid, c_.method, energy);
     behind_clamp_.put_back(solid);
     return ordered_sum<double>(solid.owned, [&](std::size_t i) { return energy[i]; });
 }

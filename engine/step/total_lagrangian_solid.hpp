@@ -1,10 +1,10 @@
-// An elastic solid in its reference configuration: its own steps within a step (kernels/total_lagrangian_passes.hpp).
+// An elastic solid in its reference configuration: its own steps within a step (kernels/passes/total_lagrangian_passes.hpp).
 #pragma once
 
 #include "engine/step/clamp_extension.hpp"
 #include "engine/step/contact.hpp"
 #include "engine/step/context.hpp"
-#include "kernels/total_lagrangian_passes.hpp"
+#include "kernels/passes/total_lagrangian_passes.hpp"
 
 namespace sluice {
 

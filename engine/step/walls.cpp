@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "kernels/boundary_passes.hpp"
-#include "kernels/wall_passes.hpp"
+#include "kernels/passes/boundary_passes.hpp"
+#include "kernels/passes/wall_passes.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -59,7 +59,7 @@ void WallPart<Dim>::place() {
         wall.position.set(i, wall.initial_position[i] + displacement_[wall.body[i]]);
         wall.velocity.set(i, velocity_[wall.body[i]]);
     });
-    c_.neighbors.refresh_wall_motion();
+    c_.state.wall.refresh_ghosts(column::position, column::velocity);
 }
 
 template <int Dim>
@@ -77,7 +77,7 @@ void WallPart<Dim>::forces() {
         c_.pairs += moving_ghost_pressure<Dim>(view_of(wall), view_of(fluid), list, effective_gravity_, wall.body,
                                                c_.method, wall.pressure);
     }
-    c_.neighbors.refresh_wall_pressure();
+    c_.state.wall.refresh_ghosts(column::pressure);
     c_.pairs +=
         fixed_ghost_force<Dim>(view_of(fluid), view_of(wall), c_.neighbors.fluid_wall, c_.method, fluid.acceleration);
     if (c_.has(Effect::no_slip_wall)) friction();
@@ -93,7 +93,7 @@ void WallPart<Dim>::friction() {
     ParticleView<Dim> ghosts = view_of(wall);
     ghosts.velocity = columns_of(wall.ghost_velocity);
     boundary_ghost_velocity<Dim>(ghosts, view_of(fluid), c_.neighbors.wall_fluid, c_.method, wall.ghost_velocity);
-    c_.neighbors.refresh_wall_friction();
+    c_.state.wall.refresh_ghosts(column::ghost_velocity);
     ghosts = view_of(wall);
     ghosts.velocity = columns_of(wall.ghost_velocity);
     ghosts.volume = wall.friction_volume.data();

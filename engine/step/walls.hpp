@@ -6,7 +6,7 @@
 
 #include "engine/step/context.hpp"
 #include "engine/step/wall_motion.hpp"
-#include "kernels/block_totals.hpp"
+#include "kernels/pairs/block_totals.hpp"
 
 namespace sluice {
 

@@ -26,6 +26,13 @@ std::vector<T> column(const Hdf5Source& group, const std::string& name, std::siz
     return values;
 }
 
+/// In 32 bits or in 64.
+std::vector<std::uint64_t> ids(const Hdf5Source& data, std::size_t count) {
+    if (data.value_bytes("id") == sizeof(std::uint64_t)) return column<std::uint64_t>(data, "id", count);
+    const std::vector<std::uint32_t> narrow = column<std::uint32_t>(data, "id", count);
+    return {narrow.begin(), narrow.end()};
+}
+
 FrameScalar speed_of(const std::vector<float>& velocity) {
     FrameScalar speed{"speed", {}};
     for (std::size_t i = 0; i + 2 < velocity.size(); i += 3)
@@ -41,7 +48,7 @@ FrameTable read_table(const Hdf5Source& vtk) {
     table.velocity = column<float>(data, "velocity", 3 * n);
     table.medium = column<std::uint8_t>(data, "phase", n);
     table.body = column<std::uint16_t>(data, "body", n);
-    table.id = column<std::uint32_t>(data, "id", n);
+    table.id = ids(data, n);
     table.scalars.push_back(speed_of(table.velocity));
     for (const std::string& name : data.names()) {
         const bool read = name == "velocity" || name == "phase" || name == "body" || name == "id";

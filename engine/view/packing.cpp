@@ -86,9 +86,14 @@ PackedColumn pack_numbers(const NumberColumn& column, int level) {
     return {column.name, low, high, 2, pack(steps, level)};
 }
 
-PackedColumn pack_identities(std::string_view name, std::span<const std::uint32_t> values, int level) {
-    return {std::string(name), 0, 0, 4, pack(std::vector<std::uint32_t>(values.begin(), values.end()), level)};
+template <class T>
+PackedColumn pack_identities(std::string_view name, std::span<const T> values, int level) {
+    std::vector<std::uint32_t> low;  // their low 32 bits: a page does not show four thousand million particles
+    for (const T value : values) low.push_back(static_cast<std::uint32_t>(value));
+    return {std::string(name), 0, 0, 4, pack(low, level)};
 }
+template PackedColumn pack_identities<std::uint32_t>(std::string_view, std::span<const std::uint32_t>, int);
+template PackedColumn pack_identities<std::uint64_t>(std::string_view, std::span<const std::uint64_t>, int);
 
 std::vector<float> unpack_numbers(const PackedColumn& column, std::size_t count) {
     std::vector<float> values;
@@ -114,8 +119,8 @@ std::string pack_frame(const StoredFrame& frame, std::span<const std::uint32_t> 
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t k = 0; k < n + 2; ++k) {
         if (k < n) columns[k] = pack_numbers(numbers[k], packing.level);
-        if (k == n) columns[k] = pack_identities("group", group_of, packing.level);
-        if (k == n + 1) columns[k] = pack_identities("id", frame.table.id, packing.level);
+        if (k == n) columns[k] = pack_identities<std::uint32_t>("group", group_of, packing.level);
+        if (k == n + 1) columns[k] = pack_identities<std::uint64_t>("id", frame.table.id, packing.level);
     }
     const std::string head = head_text(frame, columns);
     std::string packed;

@@ -30,7 +30,8 @@ struct PackedColumn {
 constexpr std::uint32_t highest_step = 65534;
 
 PackedColumn pack_numbers(const NumberColumn& column, int level);
-PackedColumn pack_identities(std::string_view name, std::span<const std::uint32_t> values, int level);
+template <class T>
+PackedColumn pack_identities(std::string_view name, std::span<const T> values, int level);
 
 /// What a reader gets back; off by half a step, (high − low)/65534/2, at the most. `count`: of particles.
 std::vector<float> unpack_numbers(const PackedColumn& column, std::size_t count);

@@ -15,7 +15,7 @@ namespace {
 /// own smoothing length within a step (dt ≈ h/c0), and a torn body flies apart with finite numbers: without these
 /// bounds such a run would end as a success.
 template <int Dim>
-std::string fault(const PhaseBase<Dim>& phase, std::size_t i, const Material& material, bool finite_only) {
+std::string fault(const ParticleSet<Dim>& phase, std::size_t i, const Material& material, bool finite_only) {
     const double speed = norm(phase.velocity[i]), density = phase.density[i];
     if (!std::isfinite(norm2(phase.position[i]))) return "has no finite position";
     if (!std::isfinite(speed)) return "has no finite velocity";
@@ -61,7 +61,7 @@ std::string remedy(const Simulation<Dim>& simulation, const Body& body) {
 }
 
 template <int Dim>
-void check_phase(const PhaseBase<Dim>& phase, const Simulation<Dim>& simulation, bool finite_only) {
+void check_phase(const ParticleSet<Dim>& phase, const Simulation<Dim>& simulation, bool finite_only) {
     const Scene& scene = simulation.scene();
     for (std::size_t i = 0; i < phase.owned; ++i) {
         const Body& body = scene.bodies[phase.body[i]];

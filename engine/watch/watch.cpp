@@ -18,7 +18,7 @@ constexpr double density_over_mach2 = 10, nearest_fluid = 0.2, nearest_solid = 0
                  energy_margin = 0.05, energy_broken = 10;
 
 template <int Dim>
-std::string place_of(const PhaseBase<Dim>& phase, std::size_t i, const Scene& scene) {
+std::string place_of(const ParticleSet<Dim>& phase, std::size_t i, const Scene& scene) {
     return fmt::format("particle {} of body {}, at ({:.4g})", phase.id[i], scene.bodies[phase.body[i]].name,
                        fmt::join(phase.position[i].c, ", "));
 }
@@ -28,7 +28,7 @@ double lively(const EnergyBalance& e) { return e.total() - e.potential; }
 
 /// How far all that can fall may still fall, to the lowest particle. [J; J/m in 2D]
 template <int Dim>
-double fall_of(const PhaseBase<Dim>& phase, const Scene& scene) {
+double fall_of(const ParticleSet<Dim>& phase, const Scene& scene) {
     double g2 = 0;
     for (int k = 0; k < Dim; ++k)
         g2 += scene.gravity[static_cast<std::size_t>(k)] * scene.gravity[static_cast<std::size_t>(k)];
@@ -50,7 +50,7 @@ double fall_of(const PhaseBase<Dim>& phase, const Scene& scene) {
 /// Of a strain of 1e-5 everywhere, ½ m (1e-5 c0)²: what rounding makes of a state at rest, 1e8 m from the origin too,
 /// is no growth. [J; J/m in 2D]
 template <int Dim>
-double sound_energy(const PhaseBase<Dim>& phase, const Scene& scene) {
+double sound_energy(const ParticleSet<Dim>& phase, const Scene& scene) {
     double sum = 0;
     for (std::size_t i = 0; i < phase.owned; ++i) {
         const double speed = 1e-5 * scene.materials[scene.bodies[phase.body[i]].material].sound_speed;
@@ -72,8 +72,8 @@ Watch<Dim>::Watch(const Simulation<Dim>& initial)
     for (std::size_t k = 0; k < warnings_.size(); ++k) warnings_[k].name = suspicion_names[k];
     const EnergyBalance e = initial.energy();
     start_energy_ = e.total();
-    for (const PhaseBase<Dim>* phase :
-         {static_cast<const PhaseBase<Dim>*>(&initial.fluid()), static_cast<const PhaseBase<Dim>*>(&initial.solid())})
+    for (const ParticleSet<Dim>* phase :
+         {static_cast<const ParticleSet<Dim>*>(&initial.fluid()), static_cast<const ParticleSet<Dim>*>(&initial.solid())})
         available_ += fall_of(*phase, initial.scene()) + sound_energy(*phase, initial.scene());
     available_ += lively(e);
 }

@@ -1,7 +1,7 @@
 // Artificial stress against the tensile instability [Antoci2007, eqs. 13, 14; Gray, Monaghan & Swift 2001].
 #pragma once
 
-#include "kernels/pair.hpp"
+#include "kernels/pairs/pair.hpp"
 
 namespace sluice {
 
@@ -9,7 +9,7 @@ namespace sluice {
 ///   a_i = Σ_j m_j (R_i + R_j) f^q ∇_i W_ij,   f = W(|x_ij|)/W(d)          [m/s²]
 /// W(d) is taken at the pair's own spacing, d = h/(h/d): f depends on r/h and h/d only.
 struct ArtificialStress {
-    static constexpr unsigned reads_i = column::artificial_stress, reads_j = column::mass | column::artificial_stress;
+    static constexpr ColumnSet reads_i = column::artificial_stress, reads_j = column::mass | column::artificial_stress;
 
     double inverse_shape_at_spacing = 0;  ///< 1/w(d/h)
     int exponent = 4;                     ///< q
@@ -30,10 +30,10 @@ struct ArtificialStress {
     }
 
     template <class Pair>
-    [[gnu::always_inline]] typename Pair::Tensor operator()(const Pair& ij) const {
+    [[gnu::always_inline]] auto operator()(const Pair& ij) const {
         using Real = typename Pair::Real;
         const Real f = ij.shape() * static_cast<Real>(inverse_shape_at_spacing);
-        return power(f) * (ij.artificial_stress_i() + ij.artificial_stress_j());
+        return power(f) * (ij.i(column::artificial_stress) + ij.j(column::artificial_stress));
     }
 };
 

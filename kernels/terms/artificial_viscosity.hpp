@@ -12,7 +12,7 @@ namespace sluice {
 /// Over all pairs it would be the laminar viscosity ν = α h c/(2(D + 2)) [Monaghan 2005, sec. 8.2]. In a shear flow
 /// half of the pairs approach: ν = α h c/(4(D + 2)), α h c/16 in 2D and α h c/20 in 3D.
 struct ArtificialViscosity {
-    static constexpr unsigned reads_i = CentralViscosity::reads_i, reads_j = CentralViscosity::reads_j;
+    static constexpr ColumnSet reads_i = CentralViscosity::reads_i, reads_j = CentralViscosity::reads_j;
 
     double alpha = 0;        ///< α
     double sound_speed = 0;  ///< c [m/s]

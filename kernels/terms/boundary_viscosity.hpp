@@ -7,14 +7,14 @@
 //   F_fw = 2 ν m_f V_w (∂W/∂r / r) (v_f − v_g) = −F_wf          [N; N/m in 2D]
 #pragma once
 
-#include "kernels/pair.hpp"
+#include "kernels/pairs/pair.hpp"
 
 namespace sluice {
 
 /// The fluid's side: a_f = 2 ν Σ_w V_w (∂W/∂r / r) (v_f − v_g)          [m/s²]
 /// The boundary's velocity column holds v_g, its volume column 0 where the fluid slips.
 struct BoundaryFriction {
-    static constexpr unsigned reads_i = column::velocity, reads_j = column::velocity | column::volume;
+    static constexpr ColumnSet reads_i = column::velocity, reads_j = column::velocity | column::volume;
 
     double viscosity = 0;  ///< ν [m²/s]
 
@@ -27,7 +27,7 @@ struct BoundaryFriction {
 
 /// The boundary's side, per its volume: 2 ν Σ_f m_f (∂W/∂r / r) (v_g − v_f)          [N/m³]
 struct BoundaryFrictionReaction {
-    static constexpr unsigned reads_i = column::velocity, reads_j = column::velocity | column::mass;
+    static constexpr ColumnSet reads_i = column::velocity, reads_j = column::velocity | column::mass;
 
     double viscosity = 0;  ///< ν [m²/s]
 

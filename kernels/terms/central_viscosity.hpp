@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "kernels/pair.hpp"
+#include "kernels/pairs/pair.hpp"
 
 namespace sluice {
 
@@ -13,7 +13,7 @@ namespace sluice {
 /// (laminar_viscosity.hpp). One formula for both costs what either does; a branch between them in the loop cost 5 to
 /// 15 % (bench: fluid_momentum).
 struct CentralViscosity {
-    static constexpr unsigned reads_i = column::velocity | column::density,
+    static constexpr ColumnSet reads_i = column::velocity | column::density,
                               reads_j = column::mass | column::velocity | column::density;
 
     double per_length = 0;                                   ///< α c [m/s]

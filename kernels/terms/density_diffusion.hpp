@@ -17,14 +17,14 @@
 // 0, that is Σ_i m_i ln ρ_i.
 #pragma once
 
-#include "kernels/pair.hpp"
+#include "kernels/pairs/pair.hpp"
 
 namespace sluice {
 
 /// Diffusion with E_ij = G·(x_j − x_i) of a uniform gradient G, zero or that of the fluid at rest.
 template <int Dim>
 struct StratifiedDiffusion {
-    static constexpr unsigned reads_i = column::density, reads_j = column::mass | column::density;
+    static constexpr ColumnSet reads_i = column::density, reads_j = column::mass | column::density;
 
     double strength = 0;  ///< δ c0 [m/s]
     Vec<Dim> gradient;    ///< G [kg/m⁴]
@@ -41,7 +41,7 @@ struct StratifiedDiffusion {
 
 /// Diffusion with E_ij of the mean of both particles' own gradients.
 struct GradientDiffusion {
-    static constexpr unsigned reads_i = column::density | column::density_gradient,
+    static constexpr ColumnSet reads_i = column::density | column::density_gradient,
                               reads_j = column::mass | column::density | column::density_gradient;
 
     double strength = 0;  ///< δ c0 [m/s]
@@ -50,7 +50,7 @@ struct GradientDiffusion {
     template <class Pair>
     [[gnu::always_inline]] typename Pair::Real operator()(const Pair& ij) const {
         using Real = typename Pair::Real;
-        const Real expected = Real(0.5) * dot(ij.density_gradient_i() + ij.density_gradient_j(), ij.x_ij);
+        const Real expected = Real(0.5) * dot(ij.i(column::density_gradient) + ij.j(column::density_gradient), ij.x_ij);
         return ((Real(2 * strength) * ij.h) * reciprocal(ij.rho_j())) * (ij.rho_i() - ij.rho_j() - expected);
     }
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/pair.hpp"
+#include "kernels/pairs/pair.hpp"
 
 namespace sluice {
 
@@ -8,7 +8,7 @@ namespace sluice {
 /// that of the fluid particle that feels it, ρ_j = ρ_i.
 ///   a_i = −1/ρ_i Σ_j V_j (p_i + p_j) ∇_i W_ij          [m/s²]
 struct FixedGhostPressure {
-    static constexpr unsigned reads_i = column::pressure | column::density, reads_j = column::volume | column::pressure;
+    static constexpr ColumnSet reads_i = column::pressure | column::density, reads_j = column::volume | column::pressure;
 
     template <class Pair>
     [[gnu::always_inline]] typename Pair::Vector operator()(const Pair& ij) const {
@@ -19,7 +19,7 @@ struct FixedGhostPressure {
 /// Continuity across a rigid wall: eq. (8) with a ghost at rest.
 ///   dρ_i/dt = ρ_i Σ_j V_j v_i · ∇_i W_ij          [kg/m³/s]
 struct FixedGhostContinuity {
-    static constexpr unsigned reads_i = column::velocity | column::density, reads_j = column::volume;
+    static constexpr ColumnSet reads_i = column::velocity | column::density, reads_j = column::volume;
 
     template <class Pair>
     [[gnu::always_inline]] auto operator()(const Pair& ij) const {

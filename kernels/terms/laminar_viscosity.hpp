@@ -14,7 +14,7 @@ namespace sluice {
 /// Let v_j be given to second order in y = x_j − x_i. Its first order cancels, and Σ_j V_j y_k y_l (∇W/x) → −δ_kl for
 /// any W in any dimension: the sum tends to 2ν ½ ∇²v, without a factor of its own.
 struct MorrisViscosity {
-    static constexpr unsigned reads_i = column::velocity | column::density,
+    static constexpr ColumnSet reads_i = column::velocity | column::density,
                               reads_j = column::mass | column::velocity | column::density;
 
     double kinematic_viscosity = 0;  ///< ν [m²/s]

@@ -5,28 +5,28 @@
 // f the fluid's particle and s the solid's,
 //   p_s = p_f + ρ_f (g − a_s)·(x_s − x_f)
 // A thin structure may so have a different pressure on either face, no pass is needed to extrapolate, and the fluid's
-// own pressure drives it away from the wall, which keeps the layer there stable (kernels/interface_passes.hpp). The
+// own pressure drives it away from the wall, which keeps the layer there stable (kernels/passes/interface_passes.hpp). The
 // pair exchanges, in both passes,
 //   F_fs = −V_f V_s P_fs ∇_f W_fs = −F_sf,   P_fs = max(p_f + p_s, 0)          [N; N/m in 2D]
 // A solid pushes water but does not hold it.
 #pragma once
 
-#include "kernels/pair.hpp"
+#include "kernels/pairs/pair.hpp"
 
 namespace sluice {
 
 /// The fluid's side: a_f = F_f/m_f = −1/ρ_f Σ_s V_s P_fs ∇_f W_fs          [m/s²]
 template <int Dim>
 struct MovingBoundaryPressure {
-    static constexpr unsigned reads_i = column::pressure | column::density,
-                              reads_j = column::volume | column::acceleration;
+    static constexpr ColumnSet reads_i = column::pressure | column::density,
+                              reads_j = column::volume | column::mean_acceleration;
 
     Vec<Dim> gravity;  ///< g [m/s²]
 
     template <class Pair>
     [[gnu::always_inline]] typename Pair::Vector operator()(const Pair& fs) const {
         using Real = typename Pair::Real;
-        const auto a_s = fs.acceleration_j();
+        const auto a_s = fs.j(column::mean_acceleration);
         Real rise(0);  // (g − a_s)·(x_s − x_f)
         unroll<Dim>([&](int k) __attribute__((always_inline)) { rise += (a_s[k] - Real(gravity[k])) * fs.x_ij[k]; });
         const Real pressure = larger(Real(2) * fs.p_i() + fs.rho_i() * rise, Real(0));
@@ -37,7 +37,7 @@ struct MovingBoundaryPressure {
 /// The solid's side, per its volume: F_s/V_s = −Σ_f V_f P_fs ∇_s W_sf          [N/m³]
 template <int Dim>
 struct MovingBoundaryReaction {
-    static constexpr unsigned reads_i = column::acceleration,
+    static constexpr ColumnSet reads_i = column::mean_acceleration,
                               reads_j = column::mass | column::density | column::pressure;
 
     Vec<Dim> gravity;  ///< g [m/s²]
@@ -45,7 +45,7 @@ struct MovingBoundaryReaction {
     template <class Pair>
     [[gnu::always_inline]] typename Pair::Vector operator()(const Pair& sf) const {
         using Real = typename Pair::Real;
-        const auto a_s = sf.acceleration_i();
+        const auto a_s = sf.i(column::mean_acceleration);
         Real rise(0);  // x_s − x_f is the pair's own x_ij here
         unroll<Dim>([&](int k) __attribute__((always_inline)) { rise += (Real(gravity[k]) - a_s[k]) * sf.x_ij[k]; });
         const Real pressure = larger(Real(2) * sf.p_j() + sf.rho_j() * rise, Real(0));
@@ -56,7 +56,7 @@ struct MovingBoundaryReaction {
 /// Continuity across a moving boundary: eq. (8) of Antoci2007 with a neighbour of the fluid's own density.
 ///   dρ_f/dt = ρ_f Σ_s V_s (v_f − v_s)·∇_f W_fs          [kg/m³/s]
 struct MovingBoundaryContinuity {
-    static constexpr unsigned reads_i = column::velocity | column::density, reads_j = column::velocity | column::volume;
+    static constexpr ColumnSet reads_i = column::velocity | column::density, reads_j = column::velocity | column::volume;
 
     template <class Pair>
     [[gnu::always_inline]] auto operator()(const Pair& fs) const {

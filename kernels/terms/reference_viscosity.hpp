@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/pair.hpp"
+#include "kernels/pairs/pair.hpp"
 
 namespace sluice {
 
@@ -10,7 +10,7 @@ namespace sluice {
 /// Along the line between the two, whatever the body's rotation: it keeps angular momentum, and f·v_ij ≤ 0. Returns
 /// what stands before W'/|X| x_ij, over V_i V_j.
 struct ReferenceViscosity {
-    static constexpr unsigned reads_i = column::velocity | column::current_position, reads_j = reads_i;
+    static constexpr ColumnSet reads_i = column::velocity | column::position, reads_j = reads_i;
 
     double coefficient = 0;  ///< η [kg/(m² s)]
 

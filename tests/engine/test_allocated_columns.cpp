@@ -2,7 +2,7 @@
 #include <set>
 #include <sstream>
 
-#include "engine/state/visit.hpp"
+#include "engine/particles/particle_set.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/effect_scenes.hpp"
 

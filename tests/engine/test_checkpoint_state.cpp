@@ -5,7 +5,7 @@
 
 #include "engine/checkpoint/checkpoint_file.hpp"
 #include "engine/simulation.hpp"
-#include "engine/state/visit.hpp"
+#include "engine/particles/particle_set.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"
 #include "tests/engine/temporary_folder.hpp"

@@ -4,12 +4,12 @@
 
 #include <numbers>
 
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 #include "engine/step/clamp_extension.hpp"
 #include "engine/step/largest_eigenvalue.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/views.hpp"
-#include "kernels/total_lagrangian_passes.hpp"
+#include "kernels/passes/total_lagrangian_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
@@ -62,7 +62,7 @@ struct ClampedSolid {
         behind.share_energy(solid());
     }
 
-    SolidPhase<Dim>& solid() { return state.solid; }
+    ParticleSet<Dim>& solid() { return state.solid; }
 
     /// Free particles go to x + u(x), those behind the clamp's surface follow; forces are left to be handed over.
     template <class Displacement>

@@ -1,13 +1,13 @@
 // Particles that are clamped with all that is around them are left out of the solid's passes: nothing may change by
 // that.
-#include "kernels/total_lagrangian_passes.hpp"
+#include "kernels/passes/total_lagrangian_passes.hpp"
 
-#include "engine/state/state.hpp"
+#include "engine/particles/state.hpp"
 #include "engine/step/clamp_extension.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/views.hpp"
-#include "kernels/fluid_passes.hpp"
-#include "kernels/solid_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
+#include "kernels/passes/solid_passes.hpp"
 #include "neighbor/cluster_grid.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
@@ -56,7 +56,7 @@ NeighborList whole_list(const Scene& scene, const VectorField<Dim>& position, co
 TEMPLATE_TEST_CASE_SIG("Stress and force are, to the bit, those of passes over all particles", "", ((int Dim), Dim), 2,
                        3) {
     Simulation<Dim> s(scene_text::load(swinging_beam<Dim>(), elastic));
-    SolidPhase<Dim> start = s.solid();
+    ParticleSet<Dim> start = s.solid();
     const std::uint64_t before = s.work().pairs;
     advance(s, 1);
     const std::uint64_t in_a_step = s.work().pairs - before;
@@ -68,7 +68,7 @@ TEMPLATE_TEST_CASE_SIG("Stress and force are, to the bit, those of passes over a
     VectorField<Dim> acceleration;
     deformation.resize(solid.owned), stress.resize(solid.owned), acceleration.resize(solid.owned);
     // What the clamp's neighbours see of it, as the run does.
-    SolidPhase<Dim> twin = solid;
+    ParticleSet<Dim> twin = solid;
     const ClampExtension<Dim> behind(s.scene(), start, list, method.smoothing.support * solid.smoothing_length[0]);
     behind.displace(twin);
     const auto view = reference_view_of(twin);

@@ -78,7 +78,7 @@ TEST_CASE("Discs collide and rebound, and keep energy, momentum and angular mome
 
 namespace {
 
-/// The energy (b) of kernels/contact_passes.hpp by all pairs, of bodies that start apart.
+/// The energy (b) of kernels/passes/contact_passes.hpp by all pairs, of bodies that start apart.
 template <int Dim>
 double contact_energy(const Simulation<Dim>& s) {
     const Smoothing<Dim> w(s.scene().method.smoothing_function);

@@ -19,7 +19,7 @@ shape = { box = { min = [-0.01, 0.0], max = [0.0, 0.03] } }
 )toml" + (motion.empty() ? "" : "motion = " + motion + "\n");
 }
 
-double total_mass(const FluidPhase<2>& fluid) {
+double total_mass(const ParticleSet<2>& fluid) {
     double m = 0;
     for (std::size_t i = 0; i < fluid.owned; ++i) m += fluid.mass[i];
     return m;

@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "engine/state/visit.hpp"
+#include "engine/particles/particle_set.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/effect_scenes.hpp"
 
@@ -21,11 +21,11 @@ void add_columns(const std::string& name, std::set<std::string>& columns) {
 template <int Dim>
 std::set<std::string> all_columns() {
     std::set<std::string> columns;
-    add_columns<FluidPhase<Dim>>("fluid", columns);
-    add_columns<SolidPhase<Dim>>("solid", columns);
-    add_columns<WallPhase<Dim>>("wall", columns);
-    add_columns<InterfaceElements<Dim>>("elements", columns);
-    add_columns<BoundaryParticles<Dim>>("boundary", columns);
+    add_columns<ParticleSet<Dim>>("fluid", columns);
+    add_columns<ParticleSet<Dim>>("solid", columns);
+    add_columns<ParticleSet<Dim>>("wall", columns);
+    add_columns<ParticleSet<Dim>>("elements", columns);
+    add_columns<ParticleSet<Dim>>("boundary", columns);
     return columns;
 }
 

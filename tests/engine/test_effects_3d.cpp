@@ -34,7 +34,7 @@ double mass_of(const Phase& phase) {
 }
 
 /// How far the nearest neighbour in the cube is, mean over all particles. [m]
-double mean_nearest_distance(const FluidPhase<3>& fluid) {
+double mean_nearest_distance(const ParticleSet<3>& fluid) {
     double sum = 0;
     for (std::size_t i = 0; i < fluid.owned; ++i) {
         double nearest = side;

@@ -17,7 +17,7 @@ Simulation<2> vortices(const std::string& shifting) {
 }
 
 /// How far the nearest neighbour is, mean over all particles. [m]
-double mean_nearest_distance(const FluidPhase<2>& fluid) {
+double mean_nearest_distance(const ParticleSet<2>& fluid) {
     double sum = 0;
     for (std::size_t i = 0; i < fluid.owned; ++i) {
         double nearest = waves::length;
@@ -47,7 +47,7 @@ normal = [0.0, 1.0]
 )toml";
 }
 
-double mean_pressure(const FluidPhase<2>& fluid, double low, double high) {
+double mean_pressure(const ParticleSet<2>& fluid, double low, double high) {
     double sum = 0;
     int n = 0;
     for (std::size_t i = 0; i < fluid.owned; ++i) {

@@ -9,14 +9,14 @@ constexpr double spacing = 0.0025, h = 1.5 * spacing, width = 16 * spacing;
 
 /// Amplitude of the alternating part of a quantity that started as ±1 by the particles' ids.
 template <class Value>
-double alternating(const FluidPhase<2>& fluid, const std::vector<double>& sign, Value&& value) {
+double alternating(const ParticleSet<2>& fluid, const std::vector<double>& sign, Value&& value) {
     double sum = 0;
     for (std::size_t i = 0; i < fluid.owned; ++i) sum += sign[fluid.id[i]] * value(i);
     return sum / static_cast<double>(fluid.owned);
 }
 
 /// +1 and −1 in turn along both axes, by id.
-std::vector<double> checkerboard(const FluidPhase<2>& fluid) {
+std::vector<double> checkerboard(const ParticleSet<2>& fluid) {
     std::vector<double> sign(fluid.owned);
     for (std::size_t i = 0; i < fluid.owned; ++i) {
         const Vec<2> x = fluid.position[i];

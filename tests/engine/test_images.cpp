@@ -1,13 +1,13 @@
 // Images across mirror walls.
-#include "engine/state/images.hpp"
+#include "engine/particles/ghosts.hpp"
 
 #include "tests/catch.hpp"
 
 namespace sluice {
 namespace {
 
-const ImagePlane<2> floor_plane{{{0.0, 0.0}}, {{0.0, 1.0}}};
-const ImagePlane<2> left_plane{{{0.0, 0.0}}, {{1.0, 0.0}}};
+const GhostPlane<2> floor_plane{{{0.0, 0.0}}, {{0.0, 1.0}}};
+const GhostPlane<2> left_plane{{{0.0, 0.0}}, {{1.0, 0.0}}};
 
 }  // namespace
 
@@ -57,7 +57,7 @@ TEST_CASE("Images follow their owners: velocities reflected, scalars copied") {
 
 TEST_CASE("An oblique plane reflects along its normal") {
     const double r = std::sqrt(0.5);
-    const ImagePlane<2> plane{{{1.0, 0.0}}, {{r, r}}};
+    const GhostPlane<2> plane{{{1.0, 0.0}}, {{r, r}}};
     REQUIRE(plane.distance({{2.0, 0.0}}) == Approx(r));
     const Vec<2> image = plane.image_position({{2.0, 0.0}});
     REQUIRE(image[0] == Approx(1.0).margin(1e-15));

@@ -64,7 +64,7 @@ class FrameReader {
 };
 
 template <int Dim>
-void add_base(PhaseBase<Dim>& phase, std::uint32_t id) {
+void add_base(ParticleSet<Dim>& phase, std::uint32_t id) {
     Vec<Dim> x, v;
     for (int k = 0; k < Dim; ++k) x[k] = id + 0.1 * k, v[k] = -x[k];
     phase.position.push_back(x);
@@ -79,18 +79,18 @@ void add_base(PhaseBase<Dim>& phase, std::uint32_t id) {
 /// Three fluid, two solid and one wall particle, in the order of `fluid_ids`, with an image behind the fluid.
 template <int Dim>
 FrameTable small_table(const std::vector<std::uint32_t>& fluid_ids) {
-    FluidPhase<Dim> fluid;
+    ParticleSet<Dim> fluid;
     for (const std::uint32_t id : fluid_ids) add_base(fluid, id);
     add_base(fluid, 0);
     --fluid.owned;
-    SolidPhase<Dim> solid;
+    ParticleSet<Dim> solid;
     for (const std::uint32_t id : {1U, 0U}) {
         add_base(solid, id);
         Vec<sym_components<Dim>> s;
         for (int k = 0; k < sym_components<Dim>; ++k) s[k] = id * (k + 1.0);
         solid.deviatoric_stress.push_back(s);
     }
-    WallPhase<Dim> wall;
+    ParticleSet<Dim> wall;
     wall.position.push_back({});
     wall.pressure.push_back(7);
     wall.id.push_back(0);
@@ -176,7 +176,7 @@ TEST_CASE("Without solids a frame has no stress; without particles it is still a
 
 TEST_CASE("Frames are compressed") {
     const TemporaryFolder folder;
-    FluidPhase<2> fluid;
+    ParticleSet<2> fluid;
     for (std::uint32_t i = 0; i < 20000; ++i) add_base(fluid, i);
     write_frame(folder.path() / "a", frame_table<2>(fluid, {}, {}), {});
     // 56 bytes a particle as they are: 16 for points and velocity twice, 8 for scalars, 7 for names, 17 for cells.

@@ -62,7 +62,7 @@ void settle(Simulation<3>& s) {
 
 /// The largest distance of any particle's velocity from (profile(y), 0, 0). [m/s]
 template <class Profile>
-double distance_from(const FluidPhase<3>& fluid, Profile&& profile) {
+double distance_from(const ParticleSet<3>& fluid, Profile&& profile) {
     double largest = 0;
     for (std::size_t i = 0; i < fluid.owned; ++i)
         largest = std::max(largest, norm(fluid.velocity[i] - Vec<3>{{profile(fluid.position[i][1]), 0, 0}}));

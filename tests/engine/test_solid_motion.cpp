@@ -4,7 +4,7 @@
 #include "engine/step/material_update.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/views.hpp"
-#include "kernels/solid_passes.hpp"
+#include "kernels/passes/solid_passes.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
@@ -21,7 +21,7 @@ velocity = )toml" +
            velocity;
 }
 
-double largest_stress(const SolidPhase<2>& solid) {
+double largest_stress(const ParticleSet<2>& solid) {
     double s = 0;
     for (std::size_t i = 0; i < solid.owned; ++i) {
         for (int k = 0; k < 3; ++k) s = std::max(s, std::abs(solid.deviatoric_stress[i][k]));

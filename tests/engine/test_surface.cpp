@@ -1,10 +1,10 @@
 // The interface polygon around a body: outline on the lattice, elements, closedness.
-#include "engine/state/surface.hpp"
+#include "engine/particles/surface.hpp"
 
 #include <cmath>
 
-#include "engine/state/state.hpp"
-#include "engine/state/surface_chain.hpp"
+#include "engine/particles/state.hpp"
+#include "engine/particles/surface_chain.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
@@ -27,20 +27,20 @@ shape = )toml" + shape + "\n");
     return state;
 }
 
-Vec<2> sum_of_area(const InterfaceElements<2>& e) {
+Vec<2> sum_of_area(const ParticleSet<2>& e) {
     Vec<2> sum;
     for (std::size_t k = 0; k < e.owned; ++k) sum += e.area_normal[k];
     return sum;
 }
 
 /// Area inside the polygon by the divergence theorem: ½ Σ x·n ΔΓ.
-double enclosed_area(const InterfaceElements<2>& e) {
+double enclosed_area(const ParticleSet<2>& e) {
     double area = 0;
     for (std::size_t k = 0; k < e.owned; ++k) area += 0.5 * dot(e.position[k], e.area_normal[k]);
     return area;
 }
 
-double length(const InterfaceElements<2>& e) {
+double length(const ParticleSet<2>& e) {
     double sum = 0;
     for (std::size_t k = 0; k < e.owned; ++k) sum += norm(e.area_normal[k]);
     return sum;

@@ -5,8 +5,8 @@
 #include <random>
 #include <set>
 
-#include "engine/state/surface.hpp"
-#include "engine/state/surface_facets.hpp"
+#include "engine/particles/surface.hpp"
+#include "engine/particles/surface_facets.hpp"
 #include "tests/catch.hpp"
 #include "tests/neighbor/scopes.hpp"
 
@@ -51,7 +51,7 @@ struct Body {
     std::vector<Vec<3>> initial;
     std::vector<Index> index_of_id;
     BodySurface<3> surface;
-    InterfaceElements<3> elements;
+    ParticleSet<3> elements;
 };
 
 std::vector<Site> block(std::int32_t nx, std::int32_t ny, std::int32_t nz) {
@@ -243,7 +243,7 @@ TEST_CASE("Parts that touch along an edge part without pulling at each other", "
 
 TEST_CASE("The surface is the same to the bit on any number of threads", "[surface]") {
     Body body(make_box({0, 0, 0}, {1, 1, 1}), 0.04);  // 3750 elements: enough to be shared out
-    std::vector<InterfaceElements<3>> results;
+    std::vector<ParticleSet<3>> results;
     for (const int threads : {1, 2, 4}) {
         const ThreadScope scope(threads);
         body.move([](const Vec<3>& x) { return Vec<3>{{std::sin(x[0] + x[1]), x[1] * x[2], std::exp(x[2])}}; });

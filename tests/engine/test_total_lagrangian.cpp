@@ -42,7 +42,7 @@ std::vector<Vec<2>> positions(const Simulation<2>& s) {
 }
 
 /// |FᵀF − I|, the largest of all particles.
-double largest_strain(const SolidPhase<2>& solid) {
+double largest_strain(const ParticleSet<2>& solid) {
     double largest = 0;
     for (std::size_t i = 0; i < solid.owned; ++i) {
         const Tensor<2> f = tensor_of<2>(solid.deformation[i]);

@@ -1,7 +1,7 @@
 // A body of elastic particles for the tests of the total Lagrangian passes: its columns, its list, one evaluation.
 #pragma once
 
-#include "kernels/total_lagrangian_passes.hpp"
+#include "kernels/passes/total_lagrangian_passes.hpp"
 #include "tests/kernels/particles.hpp"
 
 namespace sluice {

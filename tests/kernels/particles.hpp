@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "kernels/columns.hpp"
+#include "kernels/pairs/particle_view.hpp"
 #include "neighbor/neighbor_list.hpp"
 #include "tests/neighbor/clouds.hpp"
 

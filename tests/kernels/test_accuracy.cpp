@@ -1,8 +1,8 @@
 // Order of accuracy: gradients and divergences of fields whose derivatives are known.
 #include <numbers>
 
-#include "kernels/fluid_passes.hpp"
-#include "kernels/solid_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
+#include "kernels/passes/solid_passes.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

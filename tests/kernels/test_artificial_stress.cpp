@@ -4,7 +4,7 @@
 
 #include "kernels/smoothing.hpp"
 #include "kernels/terms/artificial_stress.hpp"
-#include "kernels/terms/tensile_correction.hpp"
+#include "kernels/materials/tensile_correction.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/twins.hpp"
 

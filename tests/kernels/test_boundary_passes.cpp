@@ -1,5 +1,5 @@
 // The passes between fluid and moving boundary against their plain twins, and what they keep.
-#include "kernels/boundary_passes.hpp"
+#include "kernels/passes/boundary_passes.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

@@ -1,6 +1,6 @@
 // What pair forces keep: momentum, angular momentum, and energy between pressure and continuity.
-#include "kernels/fluid_passes.hpp"
-#include "kernels/solid_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
+#include "kernels/passes/solid_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 

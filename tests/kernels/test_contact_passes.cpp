@@ -1,5 +1,5 @@
 // The passes of contact against their plain twins; their forces against the energy; what they keep.
-#include "kernels/contact_passes.hpp"
+#include "kernels/passes/contact_passes.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

@@ -1,5 +1,5 @@
 // Particles too close to each other, against a plain twin.
-#include "kernels/crowding_passes.hpp"
+#include "kernels/passes/crowding_passes.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

@@ -1,8 +1,8 @@
 // Density diffusion: against its twins, what it keeps, what it leaves alone and how fast it damps.
 #include <numbers>
 
-#include "kernels/density_passes.hpp"
-#include "kernels/fluid_passes.hpp"
+#include "kernels/passes/density_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

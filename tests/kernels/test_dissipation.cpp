@@ -1,7 +1,7 @@
 // Artificial viscosity takes energy out and never puts it in; artificial stress pushes apart what is in tension.
-#include "kernels/fluid_passes.hpp"
-#include "kernels/solid_passes.hpp"
-#include "kernels/terms/tensile_correction.hpp"
+#include "kernels/passes/fluid_passes.hpp"
+#include "kernels/passes/solid_passes.hpp"
+#include "kernels/materials/tensile_correction.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 

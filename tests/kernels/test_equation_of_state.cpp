@@ -1,5 +1,5 @@
 // The equations of state and their energy.
-#include "kernels/terms/equation_of_state.hpp"
+#include "kernels/materials/equation_of_state.hpp"
 #include "tests/catch.hpp"
 
 using namespace sluice;

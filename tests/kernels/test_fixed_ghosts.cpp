@@ -1,6 +1,6 @@
 // Walls of fixed ghosts where the answer is known: uniform and hydrostatic pressure on flat layers.
-#include "kernels/fluid_passes.hpp"
-#include "kernels/wall_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
+#include "kernels/passes/wall_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 

@@ -2,8 +2,8 @@
 // the wall, whatever the spacing of the elements.
 #include <map>
 
-#include "kernels/fluid_passes.hpp"
-#include "kernels/interface_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
+#include "kernels/passes/interface_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_boundary.hpp"

@@ -1,6 +1,6 @@
 // The fluid's pair passes against their plain twins.
-#include "kernels/fluid_passes.hpp"
-#include "kernels/pair_sum.hpp"
+#include "kernels/passes/fluid_passes.hpp"
+#include "kernels/pairs/pair_sum.hpp"
 
 #include "neighbor/parallel.hpp"
 #include "tests/catch.hpp"

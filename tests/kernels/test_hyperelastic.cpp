@@ -1,5 +1,5 @@
 // Hyperelastic laws: stress against energy, rotations, small strains, plane strain, and what happens inside out.
-#include "kernels/terms/hyperelastic.hpp"
+#include "kernels/materials/hyperelastic.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // What the interface keeps in any geometry: momentum, energy, and rest.
-#include "kernels/interface_passes.hpp"
+#include "kernels/passes/interface_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_boundary.hpp"

@@ -1,5 +1,5 @@
 // The passes of the interface against their plain twins, equation by equation of interface_passes.hpp.
-#include "kernels/interface_passes.hpp"
+#include "kernels/passes/interface_passes.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "kernels/terms/jaumann.hpp"
+#include "kernels/materials/jaumann.hpp"
 #include "tests/catch.hpp"
 #include "tests/neighbor/clouds.hpp"
 

@@ -1,5 +1,5 @@
 // A moving boundary where the answer is known: flat faces under uniform and hydrostatic pressure, at rest and falling.
-#include "kernels/boundary_passes.hpp"
+#include "kernels/passes/boundary_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 

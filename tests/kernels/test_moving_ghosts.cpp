@@ -1,5 +1,5 @@
 // The pressure of ghosts whose walls are accelerated each in its own way, against its plain twin.
-#include "kernels/wall_passes.hpp"
+#include "kernels/passes/wall_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_moving_boundary.hpp"

@@ -1,7 +1,7 @@
 // Operations of a pass, as profiles count them, against counts by hand.
-#include "kernels/block_loop.hpp"
-#include "kernels/crowding_loops.hpp"
-#include "kernels/fluid_loops.hpp"
+#include "kernels/pairs/block_loop.hpp"
+#include "kernels/passes/crowding_loops.hpp"
+#include "kernels/passes/fluid_loops.hpp"
 #include "tests/catch.hpp"
 
 using namespace sluice;

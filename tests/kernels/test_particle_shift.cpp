@@ -1,5 +1,5 @@
 // Particle shifting: its sums against their twins, the free surface, and what shifting does to an arrangement.
-#include "kernels/shift_passes.hpp"
+#include "kernels/passes/shift_passes.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

@@ -1,6 +1,6 @@
 // The solid's pair passes against their plain twins.
-#include "kernels/pair_sum.hpp"
-#include "kernels/solid_passes.hpp"
+#include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/solid_passes.hpp"
 
 #include "kernels/tensor.hpp"
 #include "neighbor/parallel.hpp"

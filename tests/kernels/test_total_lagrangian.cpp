@@ -1,7 +1,7 @@
 // The passes in the reference configuration against their plain twins, and what the deformation gradient is exact for.
 #include <Eigen/Eigenvalues>
 
-#include "kernels/pair_sum.hpp"
+#include "kernels/pairs/pair_sum.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

@@ -1,7 +1,7 @@
 // The laminar viscosities: against their twins, and on flows whose viscous force is known.
 #include <numbers>
 
-#include "kernels/fluid_passes.hpp"
+#include "kernels/passes/fluid_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_fluid.hpp"

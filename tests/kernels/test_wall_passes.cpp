@@ -1,5 +1,5 @@
 // The passes of fixed ghosts against their plain twins.
-#include "kernels/wall_passes.hpp"
+#include "kernels/passes/wall_passes.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"

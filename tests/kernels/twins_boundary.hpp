@@ -1,7 +1,7 @@
 // A test of the passes at the interface: elements, lists, and one evaluation.
 #pragma once
 
-#include "kernels/interface_passes.hpp"
+#include "kernels/passes/interface_passes.hpp"
 #include "tests/kernels/twins_wall.hpp"
 
 namespace sluice {

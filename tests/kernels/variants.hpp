@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kernels/block_loop.hpp"
+#include "kernels/pairs/block_loop.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/particles.hpp"
 

@@ -19,7 +19,7 @@
 #include "engine/run.hpp"
 #include "engine/scene/checks.hpp"
 #include "engine/simulation.hpp"
-#include "engine/state/visit.hpp"
+#include "engine/particles/particle_set.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/engine/lattice_sites.hpp"
 #include "tests/engine/temporary_folder.hpp"
@@ -79,7 +79,7 @@ std::string bytes_of(const Simulation<Dim>& simulation) {
 
 /// Where the watch found nothing, all is finite.
 template <int Dim>
-void demand_finite(const PhaseBase<Dim>& phase) {
+void demand_finite(const ParticleSet<Dim>& phase) {
     for (std::size_t i = 0; i < phase.owned; ++i)
         demand(std::isfinite(norm2(phase.position[i])) && std::isfinite(norm2(phase.velocity[i])) &&
                    std::isfinite(phase.density[i]) && std::isfinite(phase.pressure[i]),

@@ -1,6 +1,6 @@
 """How soft a plate of n layers of particles is in bending, before any run: a plate of no end under a constant moment.
 
-A particle's deformation gradient is the best linear fit to its neighbours' places (kernels/total_lagrangian_passes.hpp).
+A particle's deformation gradient is the best linear fit to its neighbours' places (kernels/passes/total_lagrangian_passes.hpp).
 In bending, u_x = -curvature * x * y, the fit gives du_x/dx = -curvature * y_mean, where
   y_mean = sum_b w_ab X_ab^2 y_b / sum_b w_ab X_ab^2
 is the height of the particle's neighbours: its own inside, nearer to the middle in the layers within a support of the

@@ -17,13 +17,13 @@ namespace sluice::api {
 
 enum class Medium { fluid, solid, wall };
 
-enum class ColumnType { float64, uint32, uint16, uint8 };
+enum class ColumnType { float64, uint64, uint16, uint8 };
 
 template <class T>
 constexpr ColumnType column_type() {
     static_assert(std::is_same_v<T, double> || std::is_unsigned_v<T>);
     if constexpr (std::is_same_v<T, double>) return ColumnType::float64;
-    return sizeof(T) == 4 ? ColumnType::uint32 : sizeof(T) == 2 ? ColumnType::uint16 : ColumnType::uint8;
+    return sizeof(T) == 8 ? ColumnType::uint64 : sizeof(T) == 2 ? ColumnType::uint16 : ColumnType::uint8;
 }
 
 /// One component of a field: a number per particle, in the simulation's own memory.
@@ -75,7 +75,7 @@ struct Frame {
     std::vector<Scalar> scalars;      ///< pressure and density; with solids also stress and strain
     std::vector<std::uint8_t> phase;  ///< 0 fluid, 1 solid, 2 wall
     std::vector<std::uint16_t> body;  ///< of the scene's bodies, for walls of its walls
-    std::vector<std::uint32_t> id;    ///< number within the medium; never changes
+    std::vector<std::uint64_t> id;    ///< number within the medium; never changes, and there may be gaps
 };
 
 }  // namespace sluice::api

@@ -1,0 +1,39 @@
+#include "engine/particles/particle_set.hpp"
+
+#include "neighbor/parallel.hpp"
+
+namespace sluice {
+namespace {
+
+/// A spare column of each type: one column's old memory is the next one's new.
+struct Buffers {
+    Array<double> reals;
+    Array<std::uint64_t> ids;
+    Array<std::uint16_t> numbers;
+    Array<std::uint8_t> flags;
+
+    Array<double>& of(const Array<double>&) { return reals; }
+    Array<std::uint64_t>& of(const Array<std::uint64_t>&) { return ids; }
+    Array<std::uint16_t>& of(const Array<std::uint16_t>&) { return numbers; }
+    Array<std::uint8_t>& of(const Array<std::uint8_t>&) { return flags; }
+};
+
+}  // namespace
+
+template <int Dim>
+void ParticleSet<Dim>::reorder(const Array<Index>& order) {
+    Buffers buffers;
+    for_each_array(*this, [&](const ColumnInfo&, auto& column) {
+        if (column.empty()) return;
+        auto& moved = buffers.of(column);
+        moved.resize(order.size());
+        parallel_for(order.size(), [&](std::size_t k) { moved[k] = column[order[k]]; });
+        column.swap(moved);
+    });
+    owned = order.size();
+}
+
+template struct ParticleSet<2>;
+template struct ParticleSet<3>;
+
+}  // namespace sluice

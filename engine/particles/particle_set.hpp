@@ -1,0 +1,75 @@
+// A set of particles: what a medium, a wall or a boundary is made of. All sets are of one type; each holds only the
+// columns that the scene's effects need, the others stay empty.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "engine/particles/ghosts.hpp"
+
+namespace sluice {
+
+/// The sets that a simulation has; those that a scene lacks are empty.
+enum class SetId {
+    fluid,
+    solid,
+    wall,      ///< layers of particles of rigid walls, which may move; their pressure is taken from the fluid
+    elements,  ///< of the interface between fluid and solids: a closed surface around each solid body (surface.hpp)
+    boundary   ///< the solids' particles that fluid can come near, as its moving boundary: copies of what it sees
+};
+inline constexpr std::array all_sets{SetId::fluid, SetId::solid, SetId::wall, SetId::elements, SetId::boundary};
+
+constexpr std::string_view name_of(SetId set) {
+    switch (set) {
+        case SetId::fluid:
+            return "fluid";
+        case SetId::solid:
+            return "solid";
+        case SetId::wall:
+            return "wall";
+        case SetId::elements:
+            return "elements";
+        case SetId::boundary:
+            return "boundary";
+    }
+    return {};
+}
+
+/// Particles beyond `owned` are ghosts, which follow their parents when a column is refreshed.
+template <int Dim>
+struct ParticleSet : Columns<Dim> {
+    std::size_t owned = 0;
+    Ghosts<Dim> ghosts;
+
+    /// With ghosts.
+    std::size_t size() const { return this->position.size(); }
+
+    /// Ghosts of these columns follow their parents: refresh_ghosts(column::position, column::velocity).
+    template <Column... C>
+    void refresh_ghosts(ColumnTag<C>... columns) {
+        (ghosts.template follow<info_of(C).mirror>((*this)[columns], owned), ...);
+    }
+    /// Gives ghosts of all columns that they have their size and their parents' values.
+    void extend_ghosts() {
+        for_each_field(*this, [&](auto tag, auto& field) {
+            constexpr Mirror mirror = info_of(decltype(tag)::column).mirror;
+            if constexpr (mirror != Mirror::none) {
+                if (owned > 0 && size_of(field) >= owned) ghosts.template extend<mirror>(field, owned);
+            }
+        });
+    }
+
+    /// Particle k is then the one that was at order[k]; ghosts are dropped.
+    void reorder(const Array<Index>& order);
+
+  private:
+    template <class Field>
+    static std::size_t size_of(const Field& field) {
+        return field.size();
+    }
+};
+
+extern template struct ParticleSet<2>;
+extern template struct ParticleSet<3>;
+
+}  // namespace sluice

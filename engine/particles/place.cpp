@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/site_index.hpp"
+#include "engine/scene/checks.hpp"
+#include "engine/scene/formula.hpp"
+#include "engine/particles/joined_bodies.hpp"
+#include "engine/particles/state.hpp"
+
+namespace sluice {
+namespace {
+
+template <int Dim>
+Vec<Dim> to_vec(const Point& p) {
+    Vec<Dim> v;
+    for (int k = 0; k < Dim; ++k) v[k] = p[static_cast<std::size_t>(k)];
+    return v;
+}
+
+Medium medium_of(const Material& m) {
+    const ElasticLaw law =
+        m.model == SolidModel::neo_hookean ? ElasticLaw::neo_hookean : ElasticLaw::saint_venant_kirchhoff;
+    return {m.name,
+            {m.density, m.sound_speed, m.pressure_exponent},
+            m.shear_modulus,
+            {law, m.bulk_modulus() - 2.0 / 3 * m.shear_modulus, m.shear_modulus},
+            m.viscosity / m.density};
+}
+
+/// Remembers the one material of a medium; a second one is refused, because pairs across materials are not defined.
+void set_medium(const Scene& scene, const Body& body, std::optional<Medium>& medium) {
+    const Material& material = scene.materials[body.material];
+    if (medium && medium->name != material.name)
+        scene.fail("bodies." + body.name + ".material",
+                   "found a second " + std::string(material.kind == MaterialKind::fluid ? "fluid" : "solid") +
+                       " material, \"" + material.name + "\" beside \"" + medium->name +
+                       "\"; expected one material per medium");
+    medium = medium_of(material);
+}
+
+/// Fields of one new particle that both media have; its density follows from its pressure.
+template <int Dim>
+void append(ParticleSet<Dim>& phase, const Vec<Dim>& x, const Vec<Dim>& v, double pressure, double density) {
+    phase.position.push_back(x);
+    phase.velocity.push_back(v);
+    phase.pressure.push_back(pressure);
+    phase.density.push_back(density);
+    phase.id.push_back(phase.id.size());
+}
+
+/// Pressure of a fluid at rest under a free surface whose height is measured against gravity. [Pa]
+double hydrostatic_pressure(const Scene& scene, const Body& body, const Point& x, double rho0) {
+    if (!body.hydrostatic_surface) return 0;
+    double g2 = 0, g_x = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        g2 += scene.gravity[k] * scene.gravity[k];
+        g_x += scene.gravity[k] * x[k];
+    }
+    if (g2 == 0) return 0;
+    const double g = std::sqrt(g2), height = -g_x / g;
+    return rho0 * g * std::max(0.0, *body.hydrostatic_surface - height);
+}
+
+/// Initial velocity of a body at a point.
+template <int Dim>
+class InitialVelocity {
+  public:
+    InitialVelocity(const Scene& scene, const Body& body) {
+        for (std::size_t k = 0; k < Dim; ++k)
+            components_.emplace_back(scene, "bodies." + body.name + ".velocity", body.velocity[k]);
+    }
+    Vec<Dim> operator()(const Point& p) const {
+        Vec<Dim> v;
+        for (int k = 0; k < Dim; ++k) v[k] = components_[static_cast<std::size_t>(k)](p);
+        return v;
+    }
+
+  private:
+    std::vector<CompiledFormula> components_;
+};
+
+template <int Dim>
+void place_body(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
+    const Body& body = scene.bodies[number];
+    const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
+    set_medium(scene, body, is_fluid ? state.water : state.rubber);
+    const LinearEquationOfState eos = (is_fluid ? state.water : state.rubber)->eos;
+    ParticleSet<Dim>& phase = is_fluid ? state.fluid : state.solid;
+    const InitialVelocity<Dim> velocity(scene, body);
+    const CompiledFormula initial_pressure(scene, "bodies." + body.name + ".pressure", body.pressure);
+    // h follows the lattice as it was fitted, so that h/d and with it every sum over a full support is what was asked
+    // for.
+    const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
+    for (const Point& p : packing.position) {
+        const double pressure = is_fluid ? hydrostatic_pressure(scene, body, p, eos.density) + initial_pressure(p) : 0;
+        const double density = eos.density_at(pressure);
+        const bool clamped = body.clamp && body.clamp->contains(p);
+        append(phase, to_vec<Dim>(p), clamped ? Vec<Dim>{} : velocity(p), pressure, density);
+        phase.mass.push_back(density * packing.volume);
+        phase.smoothing_length.push_back(h);
+        phase.body.push_back(static_cast<std::uint16_t>(number));
+        if (!is_fluid) state.solid.clamped.push_back(clamped);
+    }
+}
+
+/// Two planes for each axis along which the domain is periodic.
+template <int Dim>
+void place_periodic_sides(const Scene& scene, State<Dim>& state) {
+    for (int k = 0; k < Dim; ++k) {
+        const auto& sides = scene.periodic[static_cast<std::size_t>(k)];
+        if (!sides) continue;
+        const auto [low, high] = *sides;
+        const int first = static_cast<int>(state.ghost_planes.size());
+        Vec<Dim> at_low, at_high, up;
+        at_low[k] = low;
+        at_high[k] = high;
+        up[k] = 1;
+        state.ghost_planes.push_back({at_low, up, high - low, first + 1});
+        state.ghost_planes.push_back({at_high, -1.0 * up, high - low, first});
+    }
+}
+
+template <int Dim>
+void place_wall(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
+    const Wall& wall = scene.walls[number];
+    if (wall.kind == WallKind::mirror) {
+        state.ghost_planes.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
+        return;
+    }
+    const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
+    for (const Point& p : packing.position) {
+        state.wall.position.push_back(to_vec<Dim>(p));
+        state.wall.volume.push_back(packing.volume);
+        state.wall.smoothing_length.push_back(h);
+        state.wall.pressure.push_back(0);
+        state.wall.id.push_back(state.wall.id.size());
+        state.wall.body.push_back(static_cast<std::uint16_t>(number));
+    }
+}
+
+/// Gives every column that the effects need its size; those that placing has not filled start at zero.
+template <int Dim>
+void allocate(const Effects& effects, SetId id, std::size_t particles, State<Dim>& state) {
+    ParticleSet<Dim>& set = state[id];
+    set.owned = particles;
+    for_each_array(set, [&](const ColumnInfo& info, auto& values) {
+        values.resize(effects.needs(id, info.column) ? particles : 0);
+        values.shrink_to_fit();
+    });
+}
+
+/// A solid particle's number within its body, and the elements around the bodies that fluid can reach.
+template <int Dim>
+void place_interface(const Scene& scene, const std::vector<Packing>& packings, State<Dim>& state) {
+    Index first_id = 0;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
+        state.surface.add_body(packings[b], first_id, static_cast<std::uint16_t>(b));
+        first_id += static_cast<Index>(packings[b].position.size());
+    }
+    state.surface.allocate(state.elements);
+    state.elements.smoothing_length.assign(state.elements.owned, state.solid.smoothing_length[0]);
+}
+
+/// Which of a body's particles have an empty lattice site within `range` of them: only those can come near a fluid.
+template <int Dim>
+std::vector<bool> near_surface(const Packing& packing, double range) {
+    const SiteIndex lattice(packing.site);
+    // Beside a body of much coarser particles the range may be many times the lattice: what is beyond it is empty.
+    Site size{};
+    for (const Site& s : packing.site)
+        for (std::size_t k = 0; k < 3; ++k) size[k] = std::max(size[k], s[k] + 1);
+    Site reach{};
+    for (std::size_t k = 0; k < Dim; ++k)
+        reach[k] = static_cast<std::int32_t>(std::min<double>(range / packing.spacing[k], size[k]));
+    std::vector<bool> near(packing.site.size());
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const Site& s = packing.site[i];
+        for (std::int32_t x = -reach[0]; x <= reach[0] && !near[i]; ++x)
+            for (std::int32_t y = -reach[1]; y <= reach[1] && !near[i]; ++y)
+                for (std::int32_t z = -reach[2]; z <= reach[2] && !near[i]; ++z) {
+                    const double distance =
+                        std::hypot(x * packing.spacing[0], y * packing.spacing[1], z * packing.spacing[2]);
+                    near[i] = distance <= range && !lattice.taken({s[0] + x, s[1] + y, s[2] + z});
+                }
+    }
+    return near;
+}
+
+/// The solids' particles that a fluid can feel: those within a support of their surface.
+template <int Dim>
+void place_boundary(const Scene& scene, const Effects& effects, const std::vector<Packing>& packings,
+                    State<Dim>& state) {
+    auto& boundary = state.boundary;
+    const double support = Smoothing<Dim>(scene.method.smoothing_function).support;
+    Index id = 0;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
+        const std::vector<bool> near = near_surface<Dim>(packings[b], support * state.max_h);
+        for (std::size_t i = 0; i < near.size(); ++i, ++id) {
+            if (!near[i]) continue;
+            boundary.solid_id.push_back(id);
+            boundary.body.push_back(static_cast<std::uint16_t>(b));
+            boundary.smoothing_length.push_back(state.solid.smoothing_length[id]);
+        }
+    }
+    allocate(effects, SetId::boundary, boundary.solid_id.size(), state);
+}
+
+template <int Dim>
+void find_smoothing_range(State<Dim>& state) {
+    state.max_h = 0;
+    state.min_h = 1e300;
+    for (const ScalarField* h :
+         {&state.fluid.smoothing_length, &state.solid.smoothing_length, &state.wall.smoothing_length})
+        for (const double value : *h) {
+            state.max_h = std::max(state.max_h, value);
+            state.min_h = std::min(state.min_h, value);
+        }
+}
+
+}  // namespace
+
+template <int Dim>
+State<Dim> place_particles(const Scene& scene, const Effects& effects) {
+    const std::vector<Packing> bodies = pack_bodies(scene), walls = pack_walls(scene);
+    check_geometry(scene, bodies, walls);
+    check_mach(scene, bodies);
+    State<Dim> state;
+    if (effects.has(Effect::gravity)) state.gravity = to_vec<Dim>(scene.gravity);
+    for (std::size_t b = 0; b < bodies.size(); ++b) place_body(scene, b, bodies[b], state);
+    for (std::size_t w = 0; w < walls.size(); ++w) place_wall(scene, w, walls[w], state);
+    allocate(effects, SetId::fluid, state.fluid.id.size(), state);
+    allocate(effects, SetId::solid, state.solid.id.size(), state);
+    // A wall that nothing meets is none.
+    allocate(effects, SetId::wall, effects.needs(SetId::wall, Column::position) ? state.wall.id.size() : 0, state);
+    if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
+    if (effects.has(Effect::no_slip_wall))
+        for (std::size_t i = 0; i < state.wall.owned; ++i)
+            state.wall.friction_volume[i] = scene.walls[state.wall.body[i]].slip ? 0.0 : state.wall.volume[i];
+    place_periodic_sides(scene, state);
+    if (effects.has(Effect::total_lagrangian)) {
+        state.solid.reference_position = state.solid.position;
+        for (std::size_t i = 0; i < state.solid.owned; ++i)
+            state.solid.volume[i] = state.solid.mass[i] / state.solid.density[i];
+    }
+    find_smoothing_range(state);
+    if (effects.has(Effect::contact) && effects.has(Effect::total_lagrangian)) {
+        state.solid_group = join_bodies(scene, bodies);
+        const double support = Smoothing<Dim>(scene.method.smoothing_function).support;
+        part_references<Dim>(state.solid_group, 2 * support * state.max_h, state.solid);
+    }
+    if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
+    if (effects.has(Effect::moving_boundary)) place_boundary(scene, effects, bodies, state);
+    return state;
+}
+
+template State<2> place_particles<2>(const Scene&, const Effects&);
+template State<3> place_particles<3>(const Scene&, const Effects&);
+
+}  // namespace sluice
