@@ -11,7 +11,7 @@
 #include "bench/counters.hpp"
 #include "bench/dam_break.hpp"
 #include "bench/suite.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice::bench {
 namespace {

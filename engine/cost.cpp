@@ -12,7 +12,7 @@
 #include "engine/effect_table.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/run_record.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 #include "engine/watch/state_check.hpp"
 #include "neighbor/thread_count.hpp"
 
@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 using Shares = decltype(SceneCost::phases);
 
 /// Turns and warm-up are multiples of this many steps, so that what is not done in every step is in each of them: of
-/// that, particle shifting is the most seldom (engine/step/particle_shifting.cpp).
+/// that, particle shifting is the most seldom (engine/parts/particle_shifting.cpp).
 constexpr int step_cycle = 4;
 /// Turns into which the time for one comparison is cut: enough for a median that one or two interrupted turns leave
 /// alone, and long enough for the clock (1 µs).

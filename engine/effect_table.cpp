@@ -35,7 +35,7 @@ bool is_switched_off(const Scene& s, const std::string& key) {
     return asked != s.switches.end() && asked->second == Switch::off;
 }
 
-Decision meeting(const SceneContent& c, Coupling asked, const Method& method) {
+Decision meeting(const SceneContent& c, CouplingScheme asked, const Method& method) {
     if (!c.fluid || !c.solid) return {Verdict::impossible, c.fluid ? "no solid body" : "no fluid body"};
     if (asked != method.coupling) return {Verdict::impossible, "method.coupling is another"};
     return {Verdict::required, fmt::format("{} can meet {}", c.fluids, c.solids)};
@@ -236,7 +236,7 @@ const std::array<EffectRow, effect_count> table{{
       "Antoci2007 eqs. 24-30", element_columns,
       "on if there are a fluid and a solid and method.coupling is \"interface-force\"; cannot be left out then",
       "p_k = 2 Σ_b V_b p_b W_kb;  f_k = −p_k n_k ΔΓ_k;  dρ_b/dt = −2 ρ_b Σ_k W_kb n_k ΔΓ_k·(v_b − v_k)", "interface/*"},
-     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::interface_force, s.method); },
+     [](const Scene& s, const SceneContent& c) { return meeting(c, CouplingScheme::interface_force, s.method); },
      {StepPhase::interface_pass}},
     {{Effect::moving_boundary, "moving_boundary", "coupling: the solid's particles as moving boundary of the fluid",
       "Adami2012 eq. 25; Zhang2021; kernels/terms/moving_boundary.hpp", boundary_columns,
@@ -245,7 +245,7 @@ const std::array<EffectRow, effect_count> table{{
       "V_s (v_f − v_s)·∇_f W_fs",
       "interface, interface/boundary force, interface/boundary reaction, interface/boundary continuity, "
       "particle shifting/boundary concentration"},
-     [](const Scene& s, const SceneContent& c) { return meeting(c, Coupling::moving_boundary, s.method); },
+     [](const Scene& s, const SceneContent& c) { return meeting(c, CouplingScheme::moving_boundary, s.method); },
      {StepPhase::interface_pass}},
     {{Effect::mirror_wall, "mirror_wall", "walls: mirrored ghosts (slip)", "Antoci2007 sect. 4", "",
       "on if there are a fluid and a mirror wall; cannot be left out then",
@@ -282,7 +282,7 @@ const std::array<EffectRow, effect_count> table{{
       "v_g = 2 v_s − Σ_f V_f v_f W_sf/Σ_f V_f W_sf;  F_fs = 2 ν m_f V_s (∂W/∂r / r) (v_f − v_g) = −F_sf",
       "interface/ghost velocity, interface/boundary friction, interface/friction reaction"},
      [](const Scene& s, const SceneContent& c) {
-         const Decision d = meeting(c, Coupling::moving_boundary, s.method);
+         const Decision d = meeting(c, CouplingScheme::moving_boundary, s.method);
          if (d.verdict == Verdict::impossible) return d;
          return c.viscous ? Decision{Verdict::used, "a viscous fluid sticks to solids"}
                           : Decision{Verdict::impossible, "viscosity = 0"};
@@ -311,7 +311,7 @@ const std::array<EffectRow, effect_count> table{{
                         : Decision{Verdict::impossible, "no clamped body"};
      }},
     {{Effect::clamp_extension, "clamp_extension", "solid: displacement goes on behind a clamp's surface",
-      "engine/step/clamp_extension.hpp", "solid.elastic_share", "on if a total-Lagrangian body has a clamp",
+      "engine/parts/clamp_extension.hpp", "solid.elastic_share", "on if a total-Lagrangian body has a clamp",
       "u(X_b) = −r u(X_j),  r = |X_b − X_s|/|X_j − X_s|;  V ψ and k times the cell's share outside the clamp",
       "solid momentum, solid gradient and stress"},
      [](const Scene&, const SceneContent& c) {
@@ -355,7 +355,7 @@ const std::array<EffectRow, effect_count> table{{
                                     : Decision{Verdict::unused, "method.time_stepping = \"single-rate\""};
      }},
     {{Effect::steady_load, "steady_load", "time: the steady part of the load acts within the solid's steps",
-      "engine/step/steady_load.hpp", "solid.steady_acceleration",
+      "engine/parts/steady_load.hpp", "solid.steady_acceleration",
       "on if water meets total-Lagrangian solids that go at their own rate",
       "f̄^n = f̄^(n−1) + (f^n − f̄^(n−1))/32 all the time, ½Δt (f^n − f̄^n) and ½Δt (f^(n+1) − f̄^n) as impulses", "update"},
      [](const Scene& s, const SceneContent& c) {

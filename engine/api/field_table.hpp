@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/include/sluice/field.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice::api {
 

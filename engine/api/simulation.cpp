@@ -14,7 +14,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/suggestion.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace sluice::api {
@@ -113,7 +113,8 @@ struct Simulation::ImplOf : Simulation::Impl {
     }
     Frame frame() const override {
         FrameTable table =
-            frame_table(simulation.fluid(), simulation.solid(), simulation.wall(), simulation.elastic_law());
+            frame_table(simulation.fluid(), simulation.solid(), simulation.wall(),
+                                   simulation.solid_materials(), simulation.hyperelastic());
         Frame frame{std::move(table.points), std::move(table.velocity), {},
                     std::move(table.medium), std::move(table.body),     std::move(table.id)};
         for (FrameScalar& scalar : table.scalars) frame.scalars.push_back({scalar.name, std::move(scalar.value)});

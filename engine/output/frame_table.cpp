@@ -85,12 +85,12 @@ class TableWriter {
         }
     }
 
-    void add_solid(const ParticleSet<Dim>& solid, const Hyperelastic& law) {
+    void add_solid(const ParticleSet<Dim>& solid, const MaterialList& materials, const PartRange& hyperelastic) {
         for (const Index i : order_by_id(solid.id, solid.owned)) {
             add_identity(FrameMedium::solid, solid.body[i], solid.id[i]);
             add_motion(solid.position[i], solid.velocity[i]);
-            if (stress_ == Stress::stress_and_strain)
-                add_deformed(solid, law, i);
+            if (hyperelastic.holds(i))
+                add_deformed(solid, materials.of_body(solid.body[i]).law, i);
             else
                 add_state(solid.pressure[i], solid.density[i], solid.deviatoric_stress[i]);
         }
@@ -164,21 +164,21 @@ std::size_t bytes_of(const FrameTable& table) {
 
 template <int Dim>
 FrameTable frame_table(const ParticleSet<Dim>& fluid, const ParticleSet<Dim>& solid, const ParticleSet<Dim>& wall,
-                       const Hyperelastic& law) {
+                       const MaterialList& solid_materials, const PartRange& hyperelastic) {
     using Stress = typename TableWriter<Dim>::Stress;
-    const Stress stress = solid.owned == 0               ? Stress::none
-                          : solid.deformation.size() > 0 ? Stress::stress_and_strain
-                                                         : Stress::stress;
+    const Stress stress = solid.owned == 0       ? Stress::none
+                          : hyperelastic.empty() ? Stress::stress
+                                                 : Stress::stress_and_strain;
     TableWriter<Dim> writer(fluid.owned + solid.owned + wall.owned, stress);
     writer.add_fluid(fluid);
-    writer.add_solid(solid, law);
+    writer.add_solid(solid, solid_materials, hyperelastic);
     writer.add_wall(wall);
     return writer.take();
 }
 
 template FrameTable frame_table<2>(const ParticleSet<2>&, const ParticleSet<2>&, const ParticleSet<2>&,
-                                   const Hyperelastic&);
+                                   const MaterialList&, const PartRange&);
 template FrameTable frame_table<3>(const ParticleSet<3>&, const ParticleSet<3>&, const ParticleSet<3>&,
-                                   const Hyperelastic&);
+                                   const MaterialList&, const PartRange&);
 
 }  // namespace sluice

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "engine/particles/particle_set.hpp"
-#include "kernels/materials/hyperelastic.hpp"
+#include "engine/particles/materials.hpp"
+#include "engine/particles/part_range.hpp"
 
 namespace sluice {
 
@@ -34,9 +35,9 @@ struct FrameTable {
 /// What it takes in memory.
 std::size_t bytes_of(const FrameTable& table);
 
-/// Images are left out. `law`: of a total-Lagrangian solid, whose stress and Green strain follow from its deformation.
+/// Ghosts are left out. Stress and Green strain of the hyperelastic particles of `solid` follow from their deformation.
 template <int Dim>
 FrameTable frame_table(const ParticleSet<Dim>& fluid, const ParticleSet<Dim>& solid, const ParticleSet<Dim>& wall,
-                       const Hyperelastic& law = {});
+                       const MaterialList& solid_materials, const PartRange& hyperelastic);
 
 }  // namespace sluice

@@ -137,7 +137,8 @@ void FrameWriter<Dim>::sync() {
 template <int Dim>
 void FrameWriter<Dim>::write(const Simulation<Dim>& simulation) {
     frames_.push_back({frame_name(frames_.size()), simulation.time()});
-    FrameTable table = frame_table(simulation.fluid(), simulation.solid(), simulation.wall(), simulation.elastic_law());
+    FrameTable table = frame_table(simulation.fluid(), simulation.solid(), simulation.wall(),
+                                   simulation.solid_materials(), simulation.hyperelastic());
     const std::size_t bytes = bytes_of(table);
     const FrameLabel label{simulation.time(), simulation.work().steps, simulation.scene().title};
     writer_.add(bytes,

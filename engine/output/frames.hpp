@@ -9,7 +9,7 @@
 
 #include "engine/output/background_writer.hpp"
 #include "engine/output/frame_table.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice {
 

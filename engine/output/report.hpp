@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/output/run_record.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice {
 

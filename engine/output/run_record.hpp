@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 #include "engine/watch/warning.hpp"
 
 namespace sluice {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "engine/output/run_record.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice {
 

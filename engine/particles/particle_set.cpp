@@ -1,5 +1,7 @@
 #include "engine/particles/particle_set.hpp"
 
+#include <algorithm>
+
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
@@ -21,16 +23,19 @@ struct Buffers {
 }  // namespace
 
 template <int Dim>
-void ParticleSet<Dim>::reorder(const Array<Index>& order) {
+void ParticleSet<Dim>::reorder(const Array<Index>& order, std::size_t first) {
     Buffers buffers;
     for_each_array(*this, [&](const ColumnInfo&, auto& column) {
         if (column.empty()) return;
         auto& moved = buffers.of(column);
-        moved.resize(order.size());
-        parallel_for(order.size(), [&](std::size_t k) { moved[k] = column[order[k]]; });
+        moved.resize(owned);
+        std::copy_n(column.begin(), first, moved.begin());
+        parallel_for(order.size(), [&](std::size_t k) { moved[first + k] = column[order[k]]; });
+        const std::size_t last = first + order.size();
+        std::copy(column.begin() + static_cast<std::ptrdiff_t>(last), column.begin() + static_cast<std::ptrdiff_t>(owned),
+                  moved.begin() + static_cast<std::ptrdiff_t>(last));
         column.swap(moved);
     });
-    owned = order.size();
 }
 
 template struct ParticleSet<2>;

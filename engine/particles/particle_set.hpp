@@ -59,8 +59,9 @@ struct ParticleSet : Columns<Dim> {
         });
     }
 
-    /// Particle k is then the one that was at order[k]; ghosts are dropped.
-    void reorder(const Array<Index>& order);
+    /// Brings the particles first, first + 1, … into another order, of which there are as many as in `order`: particle
+    /// first + k is then the one that was at order[k]. Ghosts are dropped.
+    void reorder(const Array<Index>& order, std::size_t first);
 
   private:
     template <class Field>

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/geometry/site_index.hpp"
 #include "engine/scene/checks.hpp"
@@ -17,25 +18,36 @@ Vec<Dim> to_vec(const Point& p) {
     return v;
 }
 
-Medium medium_of(const Material& m) {
+MaterialConstants constants_of(const Scene& scene, std::size_t number) {
+    const Material& m = scene.materials[number];
     const ElasticLaw law =
         m.model == SolidModel::neo_hookean ? ElasticLaw::neo_hookean : ElasticLaw::saint_venant_kirchhoff;
-    return {m.name,
+    return {number,
             {m.density, m.sound_speed, m.pressure_exponent},
             m.shear_modulus,
             {law, m.bulk_modulus() - 2.0 / 3 * m.shear_modulus, m.shear_modulus},
             m.viscosity / m.density};
 }
 
-/// Remembers the one material of a medium; a second one is refused, because pairs across materials are not defined.
-void set_medium(const Scene& scene, const Body& body, std::optional<Medium>& medium) {
+/// Bodies as their particles are placed: hypoelastic solids before hyperelastic ones, so that either are a range.
+std::vector<std::size_t> bodies_in_order(const Scene& scene) {
+    std::vector<std::size_t> order(scene.bodies.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t b) {
+        const Material& material = scene.materials[scene.bodies[b].material];
+        return material.kind == MaterialKind::fluid || material.model == SolidModel::hypoelastic;
+    });
+    return order;
+}
+
+/// A second material of a medium is refused, because pairs across materials are not defined.
+void refuse_second(const Scene& scene, const Body& body, const MaterialList& materials) {
+    if (materials.uniform()) return;
     const Material& material = scene.materials[body.material];
-    if (medium && medium->name != material.name)
-        scene.fail("bodies." + body.name + ".material",
-                   "found a second " + std::string(material.kind == MaterialKind::fluid ? "fluid" : "solid") +
-                       " material, \"" + material.name + "\" beside \"" + medium->name +
-                       "\"; expected one material per medium");
-    medium = medium_of(material);
+    scene.fail("bodies." + body.name + ".material",
+               "found a second " + std::string(material.kind == MaterialKind::fluid ? "fluid" : "solid") +
+                   " material, \"" + material.name + "\" beside \"" +
+                   scene.materials[materials.front().number].name + "\"; expected one material per medium");
 }
 
 /// Fields of one new particle that both media have; its density follows from its pressure.
@@ -83,8 +95,11 @@ template <int Dim>
 void place_body(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
     const Body& body = scene.bodies[number];
     const bool is_fluid = scene.materials[body.material].kind == MaterialKind::fluid;
-    set_medium(scene, body, is_fluid ? state.water : state.rubber);
-    const LinearEquationOfState eos = (is_fluid ? state.water : state.rubber)->eos;
+    const MaterialConstants material = constants_of(scene, body.material);
+    MaterialList& materials = is_fluid ? state.fluid_materials : state.solid_materials;
+    materials.add(number, material);
+    refuse_second(scene, body, materials);
+    const EquationOfState eos = material.eos;
     ParticleSet<Dim>& phase = is_fluid ? state.fluid : state.solid;
     const InitialVelocity<Dim> velocity(scene, body);
     const CompiledFormula initial_pressure(scene, "bodies." + body.name + ".pressure", body.pressure);
@@ -153,7 +168,7 @@ void allocate(const Effects& effects, SetId id, std::size_t particles, State<Dim
 template <int Dim>
 void place_interface(const Scene& scene, const std::vector<Packing>& packings, State<Dim>& state) {
     Index first_id = 0;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    for (const std::size_t b : bodies_in_order(scene)) {
         if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
         state.surface.add_body(packings[b], first_id, static_cast<std::uint16_t>(b));
         first_id += static_cast<Index>(packings[b].position.size());
@@ -194,7 +209,7 @@ void place_boundary(const Scene& scene, const Effects& effects, const std::vecto
     auto& boundary = state.boundary;
     const double support = Smoothing<Dim>(scene.method.smoothing_function).support;
     Index id = 0;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    for (const std::size_t b : bodies_in_order(scene)) {
         if (scene.materials[scene.bodies[b].material].kind != MaterialKind::solid) continue;
         const std::vector<bool> near = near_surface<Dim>(packings[b], support * state.max_h);
         for (std::size_t i = 0; i < near.size(); ++i, ++id) {
@@ -228,7 +243,14 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     check_mach(scene, bodies);
     State<Dim> state;
     if (effects.has(Effect::gravity)) state.gravity = to_vec<Dim>(scene.gravity);
-    for (std::size_t b = 0; b < bodies.size(); ++b) place_body(scene, b, bodies[b], state);
+    for (const std::size_t b : bodies_in_order(scene)) {
+        place_body(scene, b, bodies[b], state);
+        const Material& material = scene.materials[scene.bodies[b].material];
+        if (material.kind != MaterialKind::solid) continue;
+        state.hyperelastic.last = state.solid.id.size();
+        if (material.model == SolidModel::hypoelastic)
+            state.hypoelastic.last = state.hyperelastic.first = state.hyperelastic.last;
+    }
     for (std::size_t w = 0; w < walls.size(); ++w) place_wall(scene, w, walls[w], state);
     allocate(effects, SetId::fluid, state.fluid.id.size(), state);
     allocate(effects, SetId::solid, state.solid.id.size(), state);

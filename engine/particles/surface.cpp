@@ -77,7 +77,7 @@ void BodySurface<2>::allocate(ParticleSet<2>& elements) const {
     for (const Chain& chain : chains_) elements.body.insert(elements.body.end(), chain.ids.size(), chain.body);
 }
 
-void BodySurface<2>::update(const VectorField<2>& position, const std::vector<Index>& index_of_id,
+void BodySurface<2>::update(const VectorField<2>& position, const IdIndex& index_of_id,
                             ParticleSet<2>& elements) {
     std::size_t k = 0;
     for (const Chain& chain : chains_) {
@@ -119,7 +119,7 @@ void BodySurface<3>::allocate(ParticleSet<3>& elements) const {
     for (const Face& face : faces_) elements.body.push_back(face.body);
 }
 
-void BodySurface<3>::update(const VectorField<3>& position, const std::vector<Index>& index_of_id,
+void BodySurface<3>::update(const VectorField<3>& position, const IdIndex& index_of_id,
                             ParticleSet<3>& elements) {
     parallel_for(corner_.size(), [&](std::size_t c) {
         Vec<3> x;

@@ -35,6 +35,7 @@
 #include <vector>
 
 #include "engine/geometry/packing.hpp"
+#include "engine/particles/id_index.hpp"
 #include "engine/particles/particle_set.hpp"
 
 namespace sluice {
@@ -56,7 +57,7 @@ class BodySurface<2> {
     std::size_t element_count() const;
     std::size_t bytes() const;
     void allocate(ParticleSet<2>& elements) const;
-    void update(const VectorField<2>& position, const std::vector<Index>& index_of_id, ParticleSet<2>& elements);
+    void update(const VectorField<2>& position, const IdIndex& index_of_id, ParticleSet<2>& elements);
 
   private:
     struct Chain {
@@ -74,7 +75,7 @@ class BodySurface<3> {
     std::size_t element_count() const { return faces_.size(); }
     std::size_t bytes() const;
     void allocate(ParticleSet<3>& elements) const;
-    void update(const VectorField<3>& position, const std::vector<Index>& index_of_id, ParticleSet<3>& elements);
+    void update(const VectorField<3>& position, const IdIndex& index_of_id, ParticleSet<3>& elements);
 
   private:
     struct Face {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/profile/step_profile.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 #include "engine/watch/state_check.hpp"
 #include "neighbor/thread_count.hpp"
 

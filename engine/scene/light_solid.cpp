@@ -30,7 +30,7 @@ double lightness(const Scene& scene) {
 
 LightSolid light_solid(const Scene& scene) {
     const double q = lightness(scene);
-    if (scene.method.coupling != Coupling::moving_boundary || q <= light_from) return {};
+    if (scene.method.coupling != CouplingScheme::moving_boundary || q <= light_from) return {};
     return {1 / (1 + q), 1 / std::sqrt(1 + (q - light_from) / rows),
             std::min(viscosity_per_lightness * q, most_viscosity)};
 }

@@ -22,7 +22,7 @@ Method modern_method() {
     m.integrator = Integrator::kick_drift_kick;
     m.step_size = StepSize::adaptive;
     m.courant = 0.75;  // with the acoustic damping: 0.5 and 0.9 together are unstable in thin films
-    m.coupling = Coupling::moving_boundary;
+    m.coupling = CouplingScheme::moving_boundary;
     m.precision = "mixed";
     m.multi_rate = true;
     m.fluid = {.velocity_filter = 1,

@@ -102,14 +102,14 @@ enum class Integrator { staggered_euler, kick_drift_kick };
 enum class StepSize { fixed, adaptive };
 /// How fluid and solid feel each other: by a pressure on the elements of their interface (paper), or with the solid's
 /// particles as the fluid's moving boundary.
-enum class Coupling { interface_force, moving_boundary };
+enum class CouplingScheme { interface_force, moving_boundary };
 
 struct Method {
     Preset preset = Preset::paper;
     SmoothingFunction smoothing_function = SmoothingFunction::cubic_spline;
     Integrator integrator = Integrator::staggered_euler;
     StepSize step_size = StepSize::fixed;
-    Coupling coupling = Coupling::interface_force;
+    CouplingScheme coupling = CouplingScheme::interface_force;
     double spacing = 0;                ///< reference spacing d [m]; bodies may state their own
     double smoothing_length = 1.5;     ///< h / d
     double courant = 0.9;              ///< dt = courant · h / c0, smallest over the media

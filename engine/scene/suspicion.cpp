@@ -75,7 +75,7 @@ void doubt_spacings(const Scene& scene, std::vector<std::string>& told) {
 /// A free lid of 0.05 of the water's density is quiet, one of 0.02 is thrown up (tests/hard).
 void doubt_lightness(const Scene& scene, std::vector<std::string>& told) {
     constexpr double least = 0.05;
-    if (scene.method.coupling != Coupling::moving_boundary) return;
+    if (scene.method.coupling != CouplingScheme::moving_boundary) return;
     const Material *fluid = nullptr, *solid = nullptr;
     for (const Body& body : scene.bodies) {
         const Material& material = scene.materials[body.material];

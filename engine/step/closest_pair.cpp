@@ -18,9 +18,9 @@ ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings
     const auto look = [&](const ParticleView<Dim>& others, const NeighborList& list) {
         crowding_of<Dim>(view_of(fluid), others, list, spacings / c.scene.method.smoothing_length, crowding);
     };
-    if (to == Neighbor::fluid) look(view_of(fluid), c.neighbors.fluid_fluid);
-    if (to == Neighbor::wall) look(view_of(c.state.wall), c.neighbors.fluid_wall);
-    if (to == Neighbor::solid) look(view_of(c.state.boundary), c.neighbors.fluid_boundary);
+    if (to == Neighbor::fluid) look(view_of(fluid), c.neighbors.pair({SetId::fluid, SetId::fluid}).list);
+    if (to == Neighbor::wall) look(view_of(c.state.wall), c.neighbors.pair({SetId::fluid, SetId::wall}).list);
+    if (to == Neighbor::solid) look(view_of(c.state.boundary), c.neighbors.pair({SetId::fluid, SetId::boundary, Upkeep::coupling, Targets::own}).list);
     if (counts)
         for (Index i = 0; i < crowding.size(); ++i)
             if (crowding[i] > of_itself && !counts(i)) crowding[i] = of_itself;

@@ -1,5 +1,8 @@
-// What all parts of a step share.
+// What all parts and couplings of a step share.
 #pragma once
+
+#include <memory>
+#include <vector>
 
 #include "engine/effects.hpp"
 #include "engine/particles/state.hpp"
@@ -12,6 +15,21 @@
 namespace sluice {
 
 template <int Dim>
+class Coupling;
+
+/// How fast the fluid is, for the length of steps and for what tells of it.
+struct FlowSpeed {
+    double now = 0;           ///< highest |v| of the last step [m/s]
+    double highest = 0;       ///< of all steps so far [m/s]
+    double acceleration = 0;  ///< highest |a| of the last kick [m/s²]
+};
+
+/// Bounds of how far particles move in the step under way. [m]
+struct StepMotion {
+    double fluid = 0, wall = 0, solid = 0;
+};
+
+template <int Dim>
 struct StepContext {
     const Scene& scene;
     const Effects& effects;
@@ -20,7 +38,14 @@ struct StepContext {
     PairMethod<Dim> method;
     StepPlan plan;  ///< of the step under way
     PhaseTimer timer{};
-    std::uint64_t pairs = 0;  ///< directed pairs inside the support so far, over all passes
+    std::uint64_t steps = 0;        ///< taken so far
+    std::uint64_t solid_steps = 0;  ///< of the solids' own, likewise
+    double time = 0, end = 0;       ///< at which the step under way begins and ends [s]
+    std::uint64_t pairs = 0;        ///< directed pairs inside the support so far, over all passes
+    FlowSpeed flow{};
+    StepMotion motion{};
+    std::vector<Vec<Dim>> wall_acceleration{};  ///< by the walls' numbers, if one moves [m/s²]
+    std::vector<std::unique_ptr<Coupling<Dim>>> couplings{};
 
     bool has(Effect e) const { return effects.has(e); }
 };

@@ -21,6 +21,19 @@ double largest(const ScalarField& h) { return h.empty() ? 1.0 : *std::max_elemen
 
 SkinAccount skin_for(const ScalarField& h) { return SkinAccount(skin_over_h * smallest(h), smallest(h)); }
 
+std::string name_of(const PairingKey& key) {
+    std::string name = std::string(name_of(key.query)) + "_" + std::string(name_of(key.target));
+    switch (key.targets) {
+        case Targets::own:
+            return name + "_own";
+        case Targets::ghosts:
+            return name + "_ghosts";
+        case Targets::all:
+            return key.range.empty() ? name : name + "_from_" + std::to_string(key.range.first);
+    }
+    return name;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -31,8 +44,55 @@ Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, doubl
       support_(support),
       fluid_skin_(skin_for(state.fluid.smoothing_length)),
       solid_skin_(skin_for(state.solid.smoothing_length)),
-      coupling_skin_(skin_over_h * state.min_h, state.min_h) {
-    if (effects.has(Effect::fixed_wall)) sort_walls();
+      coupling_skin_(skin_over_h * state.min_h, state.min_h) {}
+
+/// A range that is all of a set is the set's.
+template <int Dim>
+PartRange Neighborhood<Dim>::within(SetId set, const PartRange& range) const {
+    return range.size() == state_[set].owned ? PartRange{} : range;
+}
+
+template <int Dim>
+Pairing& Neighborhood<Dim>::pair(const PairingKey& asked) {
+    PairingKey key = asked;
+    key.range = within(key.query, asked.range);
+    for (Pairing& known : pairings_)
+        if (known.key == key && !known.derived) return known;
+    return pairings_.emplace_back(Pairing{key, name_of(key)});
+}
+
+template <int Dim>
+Pairing& Neighborhood<Dim>::derive(const Pairing& from, const std::string& name) {
+    Pairing& made = pairings_.emplace_back(Pairing{from.key, from.name + "_" + name});
+    made.derived = true;
+    return made;
+}
+
+template <int Dim>
+typename Neighborhood<Dim>::Grids& Neighborhood<Dim>::grids_of(SetId set, const PartRange& part) {
+    const PartRange range = within(set, part);
+    for (Grids& known : grids_)
+        if (known.set == set && known.range.first == range.first && known.range.last == range.last) return known;
+    return grids_.emplace_back(Grids{set, range});
+}
+
+template <int Dim>
+CutOff Neighborhood<Dim>::cut_off(Reach reach, double skin) const {
+    switch (reach) {
+        case Reach::mean:
+            return {skin, half_support(), half_support()};
+        case Reach::of_query:
+            return {skin, support_, 0};
+        case Reach::of_target:
+            return {skin, 0, support_};
+    }
+    return {};
+}
+
+template <int Dim>
+void Neighborhood<Dim>::build() {
+    if (effects_.has(Effect::fixed_wall)) sort_walls();
+    build_for_good();
     build_solid();
     build_fluid();
     build_coupling();
@@ -58,7 +118,7 @@ void Neighborhood<Dim>::update() {
         build_fluid();
         rebuilt = true;
     } else if (fluid_skin_.prune_due())
-        prune_fluid();
+        prune(Upkeep::with_fluid, fluid_skin_.prune());
     if (rebuilt || coupling_skin_.outdated()) build_coupling();
 }
 
@@ -70,202 +130,212 @@ void Neighborhood<Dim>::update_solid() {
 /// Returns true if the solid's particles have changed their places in memory.
 template <int Dim>
 bool Neighborhood<Dim>::refresh_solid() {
-    if (state_.solid.owned == 0 || effects_.has(Effect::total_lagrangian)) return false;
+    if (state_.hypoelastic.empty()) return false;
     if (solid_skin_.outdated()) {
         build_solid();
         return true;
     }
-    if (solid_skin_.prune_due()) prune_solid();
+    if (solid_skin_.prune_due()) prune(Upkeep::with_solid, solid_skin_.prune());
     return false;
 }
 
 template <int Dim>
-void Neighborhood<Dim>::sort_fluid() {
-    auto& fluid = state_.fluid;
-    fluid_grid_.build(fluid.position, 0, fluid.owned, cell_over_h_ * largest(fluid.smoothing_length),
-                      fluid.smoothing_length);
-    fluid.reorder(fluid_grid_.order());
-    fluid_grid_.particles_were_sorted(0);
+void Neighborhood<Dim>::sort(SetId id, const PartRange& range) {
+    ParticleSet<Dim>& set = state_[id];
+    Grid& grid = grids_of(id, range).own;
+    const PartRange of = range.empty() ? PartRange{0, set.owned} : range;
+    grid.build(set.position, of.first, of.last, cell_of(id), set.smoothing_length);
+    set.reorder(grid.order(), of.first);
+    grid.particles_were_sorted(of.first);
 }
 
 template <int Dim>
-void Neighborhood<Dim>::sort_solid() {
-    auto& solid = state_.solid;
-    solid_grid_.build(solid.position, 0, solid.owned, cell_over_h_ * largest(solid.smoothing_length),
-                      solid.smoothing_length);
-    solid.reorder(solid_grid_.order());
-    solid_grid_.particles_were_sorted(0);
-    ++solid_layout_;
-    solid_index_of_id_.resize(solid.owned);
-    for (std::size_t i = 0; i < solid.owned; ++i) solid_index_of_id_[solid.id[i]] = static_cast<Index>(i);
+double Neighborhood<Dim>::cell_of(SetId set) const {
+    switch (set) {
+        case SetId::fluid:
+        case SetId::solid:
+        case SetId::wall:
+            return cell_over_h_ * largest(state_[set].smoothing_length);
+        case SetId::elements:
+        case SetId::boundary:
+            return cell_over_h_ * state_.max_h;
+    }
+    return 0;
 }
 
 template <int Dim>
 void Neighborhood<Dim>::sort_walls() {
-    auto& wall = state_.wall;
     if (effects_.has(Effect::moving_wall)) wrap_walls();
-    wall_grid_.build(wall.position, 0, wall.owned, cell_over_h_ * largest(wall.smoothing_length),
-                     wall.smoothing_length);
-    wall.reorder(wall_grid_.order());
-    wall_grid_.particles_were_sorted(0);
+    sort(SetId::wall);
     ++wall_layout_;
-    make_wall_images();
+    make_ghosts(SetId::wall, fluid_skin_.skin());
+}
+
+template <int Dim>
+void Neighborhood<Dim>::number_solids() {
+    ++solid_layout_;
+    solid_index_of_id_.update(state_.solid.id, state_.solid.owned);
 }
 
 template <int Dim>
 void Neighborhood<Dim>::build_fluid() {
     if (state_.fluid.owned == 0) return;
     wrap_fluid();
-    sort_fluid();
+    sort(SetId::fluid);
     if (effects_.has(Effect::moving_wall)) sort_walls();
-    if (has_images()) make_fluid_images();
-    const std::array<const Grid*, 2> fluids{&fluid_grid_, &fluid_image_grid_};
-    const std::array<const Grid*, 2> walls{&wall_grid_, &wall_image_grid_};
-    const CutOff cut = pair_cut(fluid_skin_.skin());
-    search_.build(fluid_grid_, fluids, cut, fluid_fluid);
-    if (effects_.has(Effect::fixed_wall)) {
-        search_.build(fluid_grid_, walls, cut, fluid_wall);
-        search_.build(wall_grid_, fluids, cut, wall_fluid);
-    }
+    make_ghosts(SetId::fluid, fluid_skin_.skin());
+    search(Upkeep::with_fluid);
     fluid_skin_.was_built();
-    prune_fluid();
+    prune(Upkeep::with_fluid, fluid_skin_.prune());
     ++builds_;
 }
 
 template <int Dim>
-void Neighborhood<Dim>::prune_fluid() {
-    const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
-    const Set wall{state_.wall.position, state_.wall.smoothing_length};
-    const CutOff cut = pair_cut(fluid_skin_.prune());
-    search_.prune(fluid, fluid, cut, fluid_fluid);
-    if (!effects_.has(Effect::fixed_wall)) return;
-    search_.prune(fluid, wall, cut, fluid_wall);
-    search_.prune(wall, fluid, cut, wall_fluid);
-}
-
-template <int Dim>
 void Neighborhood<Dim>::build_solid() {
-    if (state_.solid.owned == 0) return;
-    sort_solid();
-    const std::array<const Grid*, 1> solids{&solid_grid_};
-    // Neighbours in the reference configuration stay neighbours.
-    const bool for_good = effects_.has(Effect::total_lagrangian);
-    search_.build(solid_grid_, solids, pair_cut(for_good ? 0.0 : solid_skin_.skin()), solid_solid);
+    if (state_.hypoelastic.empty()) return;
+    sort(SetId::solid, state_.hypoelastic);
+    number_solids();
+    search(Upkeep::with_solid);
     solid_skin_.was_built();
-    if (effects_.has(Effect::clamp) && !for_good) {
-        leave_out_resting({}, {});
-        for (auto& column : state_.solid.velocity_gradient.c) std::fill(column.begin(), column.end(), 0.0);
+    prune(Upkeep::with_solid, solid_skin_.prune());
+}
+
+template <int Dim>
+void Neighborhood<Dim>::build_for_good() {
+    if (state_.hyperelastic.empty()) return;
+    sort(SetId::solid, state_.hyperelastic);
+    number_solids();
+    search(Upkeep::for_good);
+    prune(Upkeep::for_good, 0);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::search(Upkeep upkeep) {
+    double skin = 0;
+    switch (upkeep) {
+        case Upkeep::with_fluid:
+            skin = fluid_skin_.skin();
+            break;
+        case Upkeep::with_solid:
+            skin = solid_skin_.skin();
+            break;
+        case Upkeep::coupling:
+        case Upkeep::for_good:
+            break;
     }
-    if (for_good) {
-        const Set solid{state_.solid.position, state_.solid.smoothing_length};
-        search_.prune(solid, solid, pair_cut(0), solid_solid);
-    } else
-        prune_solid();
-}
-
-template <int Dim>
-void Neighborhood<Dim>::prune_solid() {
-    const Set solid{state_.solid.position, state_.solid.smoothing_length};
-    const CutOff cut = pair_cut(solid_skin_.prune());
-    search_.prune(solid, solid, cut, solid_solid);
-    if (effects_.has(Effect::clamp)) search_.prune(solid, solid, cut, moving_solid_);
-}
-
-/// Clamped particles never move, so that stress changes only next to those that do: all others leave solid_solid.
-template <int Dim>
-void Neighborhood<Dim>::leave_out_resting(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended) {
-    const auto& solid = state_.solid;
-    Array<std::uint8_t> moving(solid.owned), stressed(solid.owned);
-    for (std::size_t i = 0; i < solid.owned; ++i) moving[i] = !solid.clamped[i];
-    solid_solid.mark_candidates(moving, stressed);
-    for (std::size_t i = 0; i < rigid.size(); ++i) {
-        if (rigid[i]) stressed[i] = 0;
-        if (extended[i]) moving[i] = 1;
+    for (Pairing& pairing : pairings_) {
+        const PairingKey& key = pairing.key;
+        if (key.upkeep != upkeep || pairing.derived) continue;
+        Grids& of = grids_of(key.target, key.range);
+        std::vector<const Grid*> targets;
+        if (key.targets != Targets::ghosts) targets.push_back(&of.own);
+        if (key.targets != Targets::own && key.range.empty()) targets.push_back(&of.ghosts);
+        search_.build(grids_of(key.query, key.range).own, targets, cut_off(key.reach, skin), pairing.list);
+        if (pairing.searched) pairing.searched();
     }
-    moving_solid_ = solid_solid;
-    moving_solid_.keep_queries(moving);
-    solid_solid.keep_queries(stressed);
 }
 
 template <int Dim>
-void Neighborhood<Dim>::leave_out_clamped(std::span<const std::uint8_t> rigid, std::span<const std::uint8_t> extended) {
-    if (!effects_.has(Effect::clamp)) return;
-    leave_out_resting(rigid, extended);
-    const Set solid{state_.solid.position, state_.solid.smoothing_length};  // the reference configuration still
-    search_.prune(solid, solid, pair_cut(0), solid_solid);
-    search_.prune(solid, solid, pair_cut(0), moving_solid_);
+void Neighborhood<Dim>::prune(Upkeep upkeep, double skin) {
+    for (Pairing& pairing : pairings_)
+        if (pairing.key.upkeep == upkeep)
+            search_.prune(places_of(pairing.key.query), places_of(pairing.key.target),
+                          cut_off(pairing.key.reach, skin), pairing.list);
+}
+
+template <int Dim>
+void Neighborhood<Dim>::prune_for_good(Pairing& pairing) {
+    search_.prune(places_of(pairing.key.query), places_of(pairing.key.target), cut_off(pairing.key.reach, 0),
+                  pairing.list);
 }
 
 template <int Dim>
 void Neighborhood<Dim>::build_coupling() {
-    if (effects_.has(Effect::interface_force)) build_interface();
-    if (effects_.has(Effect::moving_boundary)) build_boundary();
+    for (const Placing& placing : placing_) {
+        placing.place();
+        grid_copies(placing.set);
+    }
+    for (Pairing& pairing : pairings_)
+        if (pairing.key.upkeep == Upkeep::coupling) search_coupling(pairing);
     coupling_skin_.was_built();
 }
 
+/// The grid of particles that a coupling places, or that have moved since they were sorted, and that of their ghosts.
 template <int Dim>
-void Neighborhood<Dim>::list_coupling(const Grid& query, const Set& a, const Grid& target, const Set& b,
-                                      const CutOff& cut, NeighborList& list) {
-    const std::array<const Grid*, 1> targets{&target};
+void Neighborhood<Dim>::grid_copies(SetId id) {
+    ParticleSet<Dim>& set = state_[id];
+    // Elements have no reach of their own.
+    const bool reaches = id != SetId::elements;
+    grids_of(id).own.build(set.position, 0, set.owned, cell_of(id),
+                           reaches ? std::span<const double>(set.smoothing_length) : std::span<const double>());
+    if (id != SetId::solid) make_ghosts(id, coupling_skin_.skin());
+}
+
+template <int Dim>
+void Neighborhood<Dim>::search_coupling(Pairing& pairing) {
+    const PairingKey& key = pairing.key;
+    if (key.targets == Targets::ghosts && !has_ghosts()) return;
+    Grids& of = grids_of(key.target);
+    const std::array<const Grid*, 1> targets{key.targets == Targets::ghosts ? &of.ghosts : &of.own};
+    const CutOff cut = cut_off(key.reach, coupling_skin_.skin());
     CutOff wide = cut;
     wide.skin += fluid_skin_.motion() + solid_skin_.motion();  // the particles' grids are as old as their lists
-    search_.build(query, targets, wide, list);
-    search_.prune(a, b, cut, list);
+    search_.build(grids_of(key.query).own, targets, wide, pairing.list);
+    search_.prune(places_of(key.query), places_of(key.target), cut, pairing.list);
 }
 
+/// In between particles may stand outside, as their lists know them there.
 template <int Dim>
-void Neighborhood<Dim>::build_interface() {
-    auto& elements = state_.elements;
-    // A total-Lagrangian solid keeps its order and its lists; this grid must follow it all the same.
-    if (effects_.has(Effect::total_lagrangian))
-        solid_grid_.build(state_.solid.position, 0, state_.solid.owned,
-                          cell_over_h_ * largest(state_.solid.smoothing_length), state_.solid.smoothing_length);
-    state_.surface.update(state_.solid.position, solid_index_of_id_, elements);
-    element_grid_.build(elements.position, 0, elements.owned, cell_over_h_ * state_.max_h);
-    const bool mirrored = has_images();
-    if (mirrored) make_element_images();
-    const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
-    const Set solid{state_.solid.position, state_.solid.smoothing_length};
-    const Set faces{elements.position, elements.smoothing_length};
-    // Between an element and a particle: the particle's support.
-    const CutOff of_target{coupling_skin_.skin(), 0, support_}, of_query{coupling_skin_.skin(), support_, 0};
-    list_coupling(element_grid_, faces, fluid_grid_, fluid, of_target, element_fluid);
-    list_coupling(fluid_grid_, fluid, element_grid_, faces, of_query, fluid_element);
-    list_coupling(element_grid_, faces, solid_grid_, solid, of_target, element_solid);
-    list_coupling(solid_grid_, solid, element_grid_, faces, of_query, solid_element);
-    if (!mirrored) return;
-    list_coupling(element_grid_, faces, fluid_image_grid_, fluid, of_target, element_image);
-    list_coupling(fluid_grid_, fluid, element_image_grid_, faces, of_query, image_element);
+void Neighborhood<Dim>::wrap_fluid() {
+    auto& fluid = state_.fluid;
+    for (const GhostPlane<Dim>& plane : state_.ghost_planes) {
+        if (plane.is_mirror()) continue;
+        parallel_for(fluid.owned, [&](std::size_t i) {
+            const Vec<Dim> x = fluid.position[i];
+            if (plane.distance(x) < 0) fluid.position.set(i, plane.image_position(x));
+        });
+    }
 }
 
+/// The same for particles of walls that have moved along.
 template <int Dim>
-void Neighborhood<Dim>::build_boundary() {
-    auto& boundary = state_.boundary;
-    for (std::size_t i = 0; i < boundary.owned; ++i)
-        boundary.position.set(i, state_.solid.position[solid_index_of_id_[boundary.solid_id[i]]]);
-    boundary_grid_.build(boundary.position, 0, boundary.owned, cell_over_h_ * state_.max_h, boundary.smoothing_length);
-    const bool mirrored = has_images();
-    if (mirrored) make_boundary_images();
-    const Set fluid{state_.fluid.position, state_.fluid.smoothing_length};
-    const Set solid{boundary.position, boundary.smoothing_length};
-    const CutOff cut = pair_cut(coupling_skin_.skin());
-    list_coupling(boundary_grid_, solid, fluid_grid_, fluid, cut, boundary_fluid);
-    list_coupling(fluid_grid_, fluid, boundary_grid_, solid, cut, fluid_boundary);
-    if (!mirrored) return;
-    list_coupling(boundary_grid_, solid, fluid_image_grid_, fluid, cut, boundary_image);
-    list_coupling(fluid_grid_, fluid, boundary_image_grid_, solid, cut, image_boundary);
+void Neighborhood<Dim>::wrap_walls() {
+    auto& wall = state_.wall;
+    for (const GhostPlane<Dim>& plane : state_.ghost_planes) {
+        if (plane.is_mirror()) continue;
+        const Vec<Dim> shift = plane.shift * plane.normal;
+        parallel_for(wall.owned, [&](std::size_t i) {
+            if (plane.distance(wall.position[i]) >= 0) return;
+            wall.position.set(i, wall.position[i] + shift);
+            wall.initial_position.set(i, wall.initial_position[i] + shift);
+        });
+    }
+}
+
+/// A particle at distance s from the plane has its ghost at −s; the nearest that can feel it stands on the plane.
+template <int Dim>
+void Neighborhood<Dim>::make_ghosts(SetId id, double skin) {
+    if (!has_ghosts()) return;
+    ParticleSet<Dim>& set = state_[id];
+    Grid& grid = grids_of(id).ghosts;
+    const bool reaches = id != SetId::elements;
+    const double own = reaches ? half_support() : 0, of_others = reaches ? half_support() : support_;
+    const double farthest = of_others * state_.max_h + skin;
+    set.ghosts.create(state_.ghost_planes, set.position, set.owned,
+                      [&](std::size_t i) { return own * set.smoothing_length[i] + farthest; });
+    set.ghosts.template extend<Mirror::same>(set.smoothing_length, set.owned);
+    grid.build(set.position, set.owned, set.size(), cell_of(id),
+               reaches ? std::span<const double>(set.smoothing_length) : std::span<const double>());
+    set.ghosts.reorder(grid.order(), set.owned);
+    grid.particles_were_sorted(set.owned);
+    set.extend_ghosts();
 }
 
 template <int Dim>
 std::size_t Neighborhood<Dim>::bytes() const {
-    std::size_t sum = moving_solid_.bytes();
-    for (const NeighborList* list : {&fluid_fluid, &fluid_wall, &wall_fluid, &solid_solid, &element_fluid,
-                                     &fluid_element, &element_solid, &solid_element, &element_image, &image_element,
-                                     &fluid_boundary, &boundary_fluid, &boundary_image, &image_boundary})
-        sum += list->bytes();
-    for (const Grid* grid : {&fluid_grid_, &fluid_image_grid_, &wall_grid_, &wall_image_grid_, &solid_grid_,
-                             &element_grid_, &element_image_grid_, &boundary_grid_, &boundary_image_grid_})
-        sum += grid->bytes();
+    std::size_t sum = 0;
+    for (const Pairing& pairing : pairings_) sum += pairing.list.bytes();
+    for (const Grids& grids : grids_) sum += grids.own.bytes() + grids.ghosts.bytes();
     for (const SetId set : all_sets) sum += state_[set].ghosts.bytes();
     return sum;
 }

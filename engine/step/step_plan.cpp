@@ -4,75 +4,73 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/effects.hpp"
 #include "engine/errors.hpp"
-#include "engine/scene/light_solid.hpp"
-#include "engine/particles/state.hpp"
 
 namespace sluice {
-namespace {
-
-/// How much shorter the step of a total-Lagrangian solid must be with artificial viscosity α, whose forces lag by half
-/// a step: √(1 + ζ²) − ζ of the undamped limit [Belytschko, Liu & Moran 2000, section 6.2.9], ζ the damping ratio of
-/// the fastest mode. ζ = α/6 bounds what was measured on a bent, shaken block (h = 1.5 d): stable up to a Courant
-/// number of 0.95, 0.9, 0.85, 0.75, 0.5 with α = 0, 0.5, 1, 2, 4. Beside a clamp that cuts cells it is up to four times
-/// as large as inside; hence half of the fastest damping, as pairs that part are not damped. (A polygon with a clamp,
-/// α = 1: stable up to 0.5 without that.)
-double damped_step_ratio(double artificial_viscosity, double fastest_mode, double fastest_damping) {
-    const double ratio = std::max(artificial_viscosity / 6, 0.5 * fastest_damping / (2 * fastest_mode));
-    return std::sqrt(1 + ratio * ratio) - ratio;
-}
-
-/// Bodies in contact are stiffer where they touch than the fastest mode of the bodies alone. Colliding rings run up to
-/// 0.85 of its limit and break down at 0.9.
-constexpr double contact_step_ratio = 0.85;
-
-}  // namespace
-
-template <int Dim>
-std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state) {
-    std::vector<CourantLimit> limits;
-    const auto add = [&](const ParticleSet<Dim>& phase, const std::optional<Medium>& medium, double sound_speed,
-                         double share) {
-        const double h = *std::min_element(phase.smoothing_length.begin(), phase.smoothing_length.end());
-        const double nu = medium->viscosity;
-        const double dt = share * scene.method.courant * h / sound_speed;
-        limits.push_back({medium->name, nu > 0 ? std::min(dt, 0.125 * h * h / nu) : dt, h, sound_speed, nu});
-    };
-    if (state.water) add(state.fluid, state.water, state.water->eos.sound_speed, light_solid(scene).step_share);
-    if (!state.rubber) return limits;
-    // The paper takes the speed of compression, √(K/ρ); nothing holds the fastest waves back in the other solid.
-    const bool reference = state.solid.deformation.size() > 0;
-    const Medium& rubber = *state.rubber;
-    const double fastest = std::sqrt(rubber.law.wave_modulus() / rubber.eos.density);
-    add(state.solid, state.rubber, reference ? fastest : rubber.eos.sound_speed, 1);
-    return limits;
-}
-
-void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, double fastest_damping,
-                   CourantLimit& limit) {
-    if (!(fastest_mode > 0)) return;
-    limit.dt = scene.method.courant * 2 / fastest_mode;
-    if (effects.has(Effect::contact)) limit.dt *= contact_step_ratio;
-    if (effects.has(Effect::solid_viscosity))
-        limit.dt *= damped_step_ratio(scene.method.solid.artificial_viscosity, fastest_mode, fastest_damping);
-}
 
 StepPlanner::StepPlanner(const Scene& scene, const Effects& effects, std::vector<CourantLimit> limits)
     : limits_(std::move(limits)),
       adaptive_(effects.has(Effect::adaptive_step)),
       multi_rate_(effects.has(Effect::solid_substeps)),
-      stated_(scene.method.time_step.value_or(0)) {}
+      stated_(scene.method.time_step.value_or(0)) {
+    check(scene);
+}
+
+bool StepPlanner::has(SetId set) const {
+    return std::any_of(limits_.begin(), limits_.end(), [&](const CourantLimit& l) { return l.set == set; });
+}
+
+double StepPlanner::smallest_limit(SetId set) const {
+    const bool any = has(set);
+    double least = std::numeric_limits<double>::infinity();
+    for (const CourantLimit& limit : limits_)
+        if (!any || limit.set == set) least = std::min(least, limit.dt);
+    return least;
+}
+
+/// Constants that are valid one by one may still give a zero, non-finite or absurdly small time step.
+void StepPlanner::check(const Scene& scene) const {
+    constexpr double most_steps = 1e15;    // a longer time and its next step are the same number
+    constexpr double most_substeps = 1e6;  // of seconds each, for a hundred thousand particles
+    double least = stated_ > 0 ? stated_ : std::numeric_limits<double>::infinity();
+    for (const CourantLimit& limit : limits_) {
+        if (!(limit.dt > 0) || !std::isfinite(limit.dt))
+            scene.fail("materials." + limit.medium,
+                       fmt::format("found constants that make a time step of {} s, expected a number > 0", limit.dt));
+        if (!(stated_ > 0)) least = std::min(least, limit.dt);
+    }
+    if (scene.output.end / least > most_steps)
+        scene.fail("output.end",
+                   fmt::format("found {} s, which takes {:.2g} steps of {:.2g} s, expected {} at the most",
+                               scene.output.end, scene.output.end / least, least, most_steps));
+    if (!multi_rate_) return;
+    const double dt = stated_ > 0 ? stated_ : smallest_limit(SetId::fluid);
+    for (const CourantLimit& limit : limits_)
+        if (limit.set == SetId::solid && dt / limit.dt > most_substeps)
+            scene.fail(
+                "materials." + limit.medium,
+                fmt::format("found a solid that takes {:.2g} steps in each step of {:.2g} s, expected {} at the most",
+                            dt / limit.dt, dt, most_substeps));
+}
 
 StepPlan StepPlanner::next(double speed, double acceleration) {
-    double fluid = share_ * limits_.front().dt;
+    const double solid = share_ * smallest_limit(SetId::solid);
+    const SetId leading = has(SetId::fluid) ? SetId::fluid : SetId::solid;
+    double fluid = share_ * smallest_limit(leading);
     if (adaptive_) {
-        const CourantLimit& limit = limits_.front();
-        fluid *= limit.sound_speed / (limit.sound_speed + speed);
-        if (acceleration > 0) fluid = std::min(fluid, share_ * 0.25 * std::sqrt(limit.h / acceleration));
+        fluid = std::numeric_limits<double>::infinity();
+        for (const CourantLimit& limit : limits_) {
+            if (limit.set != leading) continue;
+            double dt = share_ * limit.dt;
+            dt *= limit.sound_speed / (limit.sound_speed + speed);
+            if (acceleration > 0) dt = std::min(dt, share_ * 0.25 * std::sqrt(limit.h / acceleration));
+            fluid = std::isnan(dt) ? dt : std::min(fluid, dt);
+        }
     }
-    const double solid = share_ * limits_.back().dt, least = std::min(fluid, solid);
+    const double least = std::min(fluid, solid);
     double dt = stated_ > 0 ? share_ * stated_ : multi_rate_ ? fluid : least;
     if (adaptive_ && last_ > 0) dt = std::min(dt, 1.1 * last_);
     if (!std::isfinite(dt))
@@ -85,8 +83,5 @@ StepPlan StepPlanner::next(double speed, double acceleration) {
     const int substeps = std::max(1, static_cast<int>(std::ceil(dt / solid * (1 - 1e-12))));
     return {dt, substeps, std::max(1.0, dt / least)};
 }
-
-template std::vector<CourantLimit> courant_limits_of<2>(const Scene&, const State<2>&);
-template std::vector<CourantLimit> courant_limits_of<3>(const Scene&, const State<3>&);
 
 }  // namespace sluice

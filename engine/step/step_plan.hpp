@@ -4,31 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "engine/particles/particle_set.hpp"
+
 namespace sluice {
 
 struct Scene;
 class Effects;
-template <int Dim>
-struct State;
 
-/// The largest stable step of one medium.
+/// The largest stable step of one material.
 struct CourantLimit {
+    SetId set{};             ///< fluid or solid
     std::string medium;      ///< material's name
     double dt = 0;           ///< courant · h / c0, or what viscosity or the fastest mode leave of it [s]
     double h = 0;            ///< the medium's smallest smoothing length [m]
     double sound_speed = 0;  ///< c0 [m/s]
     double viscosity = 0;    ///< ν [m²/s]
 };
-
-/// Those of the media present, the fluid's first, each with its smallest h.
-template <int Dim>
-std::vector<CourantLimit> courant_limits_of(const Scene& scene, const State<Dim>& state);
-
-/// Of a total-Lagrangian solid: courant · 2/ω, ω its fastest mode [1/s], the limit of explicit steps for what is linear
-/// and undamped; with artificial viscosity or contact less. fastest_damping: the highest rate at which viscosity on
-/// all pairs would damp a motion, 0 if unknown [1/s]. Leaves the limit as it is if ω = 0: nothing can move.
-void limit_by_mode(const Scene& scene, const Effects& effects, double fastest_mode, double fastest_damping,
-                   CourantLimit& limit);
 
 /// The step of all media together, and how many sub-steps of the solid there are in it.
 struct StepPlan {
@@ -54,6 +45,7 @@ struct StepPlan {
 /// speed and acceleration of the last step; from one step to the next it grows by a tenth at the most.
 class StepPlanner {
   public:
+    /// Throws SceneError if no run could be finished with such steps.
     StepPlanner(const Scene& scene, const Effects& effects, std::vector<CourantLimit> limits);
 
     /// speed, acceleration: the highest of the fluid [m/s, m/s²]
@@ -62,8 +54,8 @@ class StepPlanner {
     void set_share(double share) { share_ = share, uneven_ = uneven_ || share != 1; }
     /// Whether steps are not all alike.
     bool adaptive() const { return adaptive_ || uneven_; }
+    /// Of all materials, the fluids' first.
     const std::vector<CourantLimit>& limits() const { return limits_; }
-    std::vector<CourantLimit>& limits() { return limits_; }
 
     /// visit(name, member) for what changes during a run.
     template <class Visit>
@@ -72,6 +64,11 @@ class StepPlanner {
     }
 
   private:
+    /// The smallest of those of a set; of all if it has none.
+    double smallest_limit(SetId set) const;
+    bool has(SetId set) const;
+    void check(const Scene& scene) const;
+
     std::vector<CourantLimit> limits_;
     bool adaptive_, multi_rate_;
     double stated_ = 0;  ///< the scene's own step; 0 = none [s]

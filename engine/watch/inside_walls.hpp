@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 
 namespace sluice {
 

@@ -6,33 +6,53 @@
 #include "kernels/passes/total_lagrangian_loops.hpp"
 
 namespace sluice {
+namespace {
+
+/// Calls work(of), where of(a) is the constant of particle a: the choice between one for all and one for each body is
+/// made once.
+template <int Dim, class T, class Work>
+std::uint64_t with_constants(const ParticleView<Dim>& particles, std::span<const T> constants, Work&& work) {
+    if (constants.size() == 1) {
+        const T one = constants.front();
+        return work([one](Index) -> const T& { return one; });
+    }
+    return work([&](Index a) -> const T& { return constants[particles.body[a]]; });
+}
+
+}  // namespace
+
 template <int Dim>
-std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborList& list, double stiffness,
+std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborList& list,
+                                 std::span<const double> stiffness,
                                  const PairMethod<Dim>& method, SymTensorField<Dim>& gradient_correction,
                                  ScalarField& hourglass_stiffness) {
     using Sums = GradientMatrixSums<Dim>;
     constexpr double smallest_eigenvalue = 0.01;
-    return sum_pairs(Sums{}, method, solid, solid, list, [&](Index a, const Vec<Sums::outputs>& sum) {
+    return with_constants(solid, stiffness, [&](const auto& stiffness_of) {
+      return sum_pairs(Sums{}, method, solid, solid, list, [&](Index a, const Vec<Sums::outputs>& sum) {
         const Tensor<Dim> m = sym_to_tensor<Dim>(sum);
         const Eigen::SelfAdjointEigenSolver<Tensor<Dim>> solver(m, Eigen::EigenvaluesOnly);
         const bool defined = solver.eigenvalues()[0] >= smallest_eigenvalue;
         const Tensor<Dim> l = defined ? Tensor<Dim>(m.inverse()) : Tensor<Dim>(Tensor<Dim>::Zero());
         gradient_correction.set(a, tensor_to_sym<Dim>(l));
-        hourglass_stiffness[a] = defined ? stiffness : 0.0;
+        hourglass_stiffness[a] = defined ? stiffness_of(a) : 0.0;
+      });
     });
 }
 
 template <int Dim>
-std::uint64_t elastic_deformation(const ParticleView<Dim>& solid, const NeighborList& list, const Hyperelastic& law,
-                                  const PairMethod<Dim>& method, TupleField<Dim * Dim>& deformation,
+std::uint64_t elastic_deformation(const ParticleView<Dim>& solid, const NeighborList& list,
+                                  std::span<const Hyperelastic> laws, const PairMethod<Dim>& method, TupleField<Dim * Dim>& deformation,
                                   TupleField<Dim * Dim>& corrected_stress) {
-    return sum_pairs(DeformationSums<Dim>{}, method, solid, solid, list, [&](Index a, const Vec<Dim * Dim>& sum) {
+    return with_constants(solid, laws, [&](const auto& law_of) {
+      return sum_pairs(DeformationSums<Dim>{}, method, solid, solid, list, [&](Index a, const Vec<Dim * Dim>& sum) {
         const Tensor<Dim> l = sym_to_tensor<Dim>(at(solid.gradient_correction, a));
         const Tensor<Dim> f = l(0, 0) > 0 ? Tensor<Dim>(tensor_of<Dim>(sum) * l) : Tensor<Dim>(Tensor<Dim>::Identity());
         const double share = solid.elastic_share ? solid.elastic_share[a] : 1.0;
-        const Tensor<Dim> t = share * law.first_piola_stress<Dim>(f) * l - solid.hourglass_stiffness[a] * f;
+        const Tensor<Dim> t = share * law_of(a).template first_piola_stress<Dim>(f) * l - solid.hourglass_stiffness[a] * f;
         deformation.set(a, rows_of<Dim>(f));
         corrected_stress.set(a, rows_of<Dim>(t));
+      });
     });
 }
 
@@ -59,10 +79,10 @@ std::uint64_t hourglass_energy(const ParticleView<Dim>& solid, const NeighborLis
 }
 
 #define SLUICE_INSTANTIATE(Dim)                                                                                       \
-    template std::uint64_t elastic_correction<Dim>(const ParticleView<Dim>&, const NeighborList&, double,             \
+    template std::uint64_t elastic_correction<Dim>(const ParticleView<Dim>&, const NeighborList&, std::span<const double>,             \
                                                    const PairMethod<Dim>&, SymTensorField<Dim>&, ScalarField&);       \
     template std::uint64_t elastic_deformation<Dim>(const ParticleView<Dim>&, const NeighborList&,                    \
-                                                    const Hyperelastic&, const PairMethod<Dim>&,                      \
+                                                    std::span<const Hyperelastic>, const PairMethod<Dim>&,                      \
                                                     TupleField<Dim * Dim>&, TupleField<Dim * Dim>&);                  \
     template std::uint64_t elastic_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&,                       \
                                                  const ElasticViscosity&, const PairMethod<Dim>&, VectorField<Dim>&); \

@@ -1,7 +1,7 @@
 // An elastic solid in its reference configuration (total Lagrangian SPH) [Vignjevic, Reveles & Campbell 2006;
 // Ganzenmüller 2015; O'Connor & Rogers 2021].
 //
-// `position` is where a particle was before the body was deformed, X, and so is the list: both are made once. V is the
+// A particle's place, and the list, are those before the body was deformed, X: both are made once. V is the
 // reference volume. w_ab = −W'(|X_ab|)/|X_ab| ≥ 0, so that ∇_a W_ab = −w_ab X_ab with X_ab = X_a − X_b.
 //
 // Deformation gradient, exact for every x = A X + c, at corners too:
@@ -27,13 +27,14 @@
 // ζ = 0.85, because plates then bend as they should. F of the layers next to a free surface is fitted from one side,
 // which makes a plate too soft; the penalty on what is not linear makes it stiffer; both go as (h/thickness)², and
 // about there they cancel, whatever Poisson's ratio is. First period of a plate in plane strain, ten times as long as
-// thick and clamped (engine/step/clamp_extension.hpp), against finite elements, for ν = 0 to 0.45, h/d = 1 to 1.8,
+// thick and clamped (engine/parts/clamp_extension.hpp), against finite elements, for ν = 0 to 0.45, h/d = 1 to 1.8,
 // cubic spline and Wendland C2: with 4 layers −5 … +2.3 %, with 6 −1.8 … +1.4 %, with 10 −0.5 … +0.7 %. The fastest
 // mode of a lattice, which the step must resolve, has ω d/c = 1.36 (2D, h/d = 1.3, ν = 0.3; 1.40 in 3D), c² = (λ +
 // 2μ)/ρ, 0.87 without control; layers next to a surface may have faster ones, up to 2.3 in bodies of two layers.
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "kernels/pairs/block_loop.hpp"
 #include "kernels/materials/hyperelastic.hpp"
@@ -50,21 +51,24 @@ struct ElasticViscosity {
     double density = 0;               ///< ρ0 [kg/m³]
 };
 
+// Constants of the material, `stiffness` and `laws`, are one for all particles or one for each number in the column
+// `body`.
+
 /// gradient_correction = L and hourglass_stiffness = k for listed particles, once for a body. `stiffness` is 2 ζ μ
-/// [Pa]. Reads position and volume.
+/// [Pa]. Reads reference_position and volume.
 template <int Dim>
-std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborList& list, double stiffness,
+std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborList& list, std::span<const double> stiffness,
                                  const PairMethod<Dim>& method, SymTensorField<Dim>& gradient_correction,
                                  ScalarField& hourglass_stiffness);
 
-/// deformation = F (a) and corrected_stress = T (c) for listed particles. Reads current_position, gradient_correction,
+/// deformation = F (a) and corrected_stress = T (c) for listed particles. Reads position, gradient_correction,
 /// hourglass_stiffness and, if there is one, elastic_share, by which ψ and so P are multiplied.
 template <int Dim>
-std::uint64_t elastic_deformation(const ParticleView<Dim>& solid, const NeighborList& list, const Hyperelastic& law,
-                                  const PairMethod<Dim>& method, TupleField<Dim * Dim>& deformation,
+std::uint64_t elastic_deformation(const ParticleView<Dim>& solid, const NeighborList& list,
+                                  std::span<const Hyperelastic> laws, const PairMethod<Dim>& method, TupleField<Dim * Dim>& deformation,
                                   TupleField<Dim * Dim>& corrected_stress);
 
-/// acceleration += f/m (c), and of the viscosity, if there is any (ReferenceViscosity). Reads current_position,
+/// acceleration += f/m (c), and of the viscosity, if there is any (ReferenceViscosity). Reads position,
 /// corrected_stress, hourglass_stiffness and, for viscosity, velocity.
 template <int Dim>
 std::uint64_t elastic_momentum(const ParticleView<Dim>& solid, const NeighborList& list,
@@ -72,7 +76,7 @@ std::uint64_t elastic_momentum(const ParticleView<Dim>& solid, const NeighborLis
                                VectorField<Dim>& acceleration);
 
 /// energy = a particle's share of the second sum of (b) [J; J/m in 2D], for listed particles. For output: the forces
-/// do not need it. Reads current_position, deformation and hourglass_stiffness.
+/// do not need it. Reads position, deformation and hourglass_stiffness.
 template <int Dim>
 std::uint64_t hourglass_energy(const ParticleView<Dim>& solid, const NeighborList& list, const PairMethod<Dim>& method,
                                ScalarField& energy);

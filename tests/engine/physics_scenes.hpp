@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 #include "tests/engine/scene_text.hpp"
 
 namespace sluice {

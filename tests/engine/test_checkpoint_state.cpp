@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "engine/checkpoint/checkpoint_file.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 #include "engine/particles/particle_set.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"

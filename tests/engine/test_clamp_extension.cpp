@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "engine/particles/state.hpp"
-#include "engine/step/clamp_extension.hpp"
-#include "engine/step/largest_eigenvalue.hpp"
+#include "engine/parts/clamp_extension.hpp"
+#include "engine/parts/largest_eigenvalue.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/views.hpp"
 #include "kernels/passes/total_lagrangian_passes.hpp"

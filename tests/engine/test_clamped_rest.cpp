@@ -3,7 +3,7 @@
 #include "kernels/passes/total_lagrangian_passes.hpp"
 
 #include "engine/particles/state.hpp"
-#include "engine/step/clamp_extension.hpp"
+#include "engine/parts/clamp_extension.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/views.hpp"
 #include "kernels/passes/fluid_passes.hpp"

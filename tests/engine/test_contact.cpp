@@ -1,5 +1,5 @@
 // Contact of total-Lagrangian solids: collisions, walls, rest; what it keeps, and what it costs where nothing is near.
-#include "engine/step/contact.hpp"
+#include "engine/couplings/contact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/engine/contact_scenes.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/simulation.hpp"
-#include "engine/step/steady_load.hpp"
+#include "engine/step/simulation.hpp"
+#include "engine/parts/steady_load.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 

@@ -18,7 +18,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/run.hpp"
 #include "engine/scene/checks.hpp"
-#include "engine/simulation.hpp"
+#include "engine/step/simulation.hpp"
 #include "engine/particles/particle_set.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/engine/lattice_sites.hpp"

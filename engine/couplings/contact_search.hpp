@@ -1,0 +1,105 @@
+// Which solid particles may touch another body or a wall: copies of them, and the lists of whom they may touch.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/particles/state.hpp"
+#include "engine/step/neighborhood.hpp"
+#include "neighbor/box.hpp"
+
+namespace sluice {
+
+/// Solid particles near something that they may touch: what the passes read of them, and what the passes make of it.
+template <int Dim>
+struct ContactParticles {
+    Array<Index> solid;         ///< index in the solid phase when they were copied
+    Array<std::uint16_t> body;  ///< index into Scene::bodies
+    VectorField<Dim> position;  ///< [m]
+    ScalarField volume;         ///< V in the reference configuration [m³; m² in 2D]
+    ScalarField smoothing_length;
+    ScalarField density;             ///< σ of kernels/passes/contact_passes.hpp
+    ScalarField pressure;            ///< p [Pa]
+    VectorField<Dim> force_density;  ///< f/V [N/m³]; before it is known ∇σ [1/m]
+
+    std::size_t size() const { return solid.size(); }
+    void clear();
+    void add(const ParticleSet<Dim>& phase, std::size_t i, double reference_volume);
+    /// Gives the results their size, at zero.
+    void finish();
+    std::size_t bytes() const;
+
+    /// visit(name, member) for each member.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("solid", solid), visit("body", body), visit("position", position.c), visit("volume", volume);
+        visit("smoothing_length", smoothing_length), visit("density", density), visit("pressure", pressure);
+        visit("force_density", force_density.c);
+    }
+};
+
+/// Keeps account of how far anything has moved, and looks again when something may have come near. Where nothing is
+/// near, there is no copy and no list, and the next look comes when the nearest two may have met.
+///
+/// Bodies are near if their boxes are; a particle is copied if it is near the other's box. Walls likewise. No contact
+/// within a group of joined bodies, nor of a body with itself, nor across the sides of a periodic box.
+template <int Dim>
+class ContactSearch {
+  public:
+    ContactSearch(State<Dim>& state, const Neighborhood<Dim>& neighbors, double support);
+
+    /// Tells that nothing has moved farther than this. [m]
+    void add_motion(double distance) { moved_ += distance; }
+    /// Copies and lists for positions as they are.
+    void update();
+    std::uint64_t builds() const { return builds_; }
+    std::size_t bytes() const;
+
+    /// visit(name, member) for what outlives a look.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("among_bodies", among_bodies), visit("at_walls", at_walls), visit("body_lists", body_lists);
+        visit("wall_list", wall_list), visit("at_planes", at_planes), visit("members", members_);
+        visit("moved", moved_), visit("room", room_), visit("builds", builds_);
+        visit("solid_layout", solid_layout_), visit("wall_layout", wall_layout_);
+    }
+
+    ContactParticles<Dim> among_bodies, at_walls;
+    std::vector<NeighborList> body_lists;  ///< each group's particles and those of the others, within among_bodies
+    NeighborList wall_list;                ///< at_walls and the walls' particles, images among them
+    std::vector<Array<Index>> at_planes;   ///< solid particles near each mirror plane
+
+  private:
+    using Grid = ClusterGrid<Dim>;
+    using Set = typename NeighborSearch<Dim>::Set;
+
+    bool outdated() const;
+    void build();
+    void list_bodies();
+    void list_walls();
+    void list_planes();
+    void sort_into_groups();
+    /// Copies the group's particles that are near one of these boxes. Returns whether there are any.
+    bool select(const Array<Index>& members, const std::vector<Box<Dim>>& boxes);
+    /// Remembers that something is this far out of reach. Returns whether it is near.
+    bool is_near(double gap);
+    double volume_of(std::size_t i) const {
+        return state_.solid.mass[i] / state_.solid_materials.of_body(state_.solid.body[i]).eos.density;
+    }
+
+    State<Dim>& state_;
+    const Neighborhood<Dim>& neighbors_;
+    double support_;
+    double reach_ = 0, skin_ = 0, cell_ = 0;  ///< [m]
+    double moved_ = 0, room_ = 0;             ///< since the last look, and until the next [m]
+    std::uint64_t builds_ = 0, solid_layout_ = 0, wall_layout_ = 0;
+    std::vector<Array<Index>> members_;  ///< of each group
+    std::vector<Grid> grids_;            ///< of each group's copies
+    Grid at_wall_grid_, wall_grid_;
+    NeighborSearch<Dim> search_;
+};
+
+extern template class ContactSearch<2>;
+extern template class ContactSearch<3>;
+
+}  // namespace sluice

@@ -1,0 +1,73 @@
+// Solids go through a step in steps of their own, all of them in as many.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/step/context.hpp"
+#include "engine/step/part.hpp"
+
+namespace sluice {
+
+/// Solids of one model: a range of the solid's particles.
+template <int Dim>
+class SolidPart : public Part<Dim> {
+  public:
+    /// Before and after the solids' own steps within a step.
+    virtual void begin_step() = 0;
+    virtual void end_step() = 0;
+    /// One of its own steps, number `substep`, to where positions are those of its end. Returns a bound of how far
+    /// particles move. [m]
+    virtual double move(int substep) = 0;
+    /// What remains to be done once all solids have moved: forces at their new places.
+    virtual void finish_move() {}
+};
+
+/// All solids. Forces between solids of different models are taken where both are at one and the same instant.
+template <int Dim>
+class Solids final : public Part<Dim> {
+  public:
+    Solids(StepContext<Dim>& context, std::vector<std::unique_ptr<SolidPart<Dim>>> parts)
+        : c_(context), parts_(std::move(parts)) {}
+
+    void start() override {
+        for (const auto& part : parts_) part->start();
+    }
+    void limit_step(std::vector<CourantLimit>& limits) const override {
+        for (const auto& part : parts_) part->limit_step(limits);
+    }
+    void first_half() override {
+        for (const auto& part : parts_) part->begin_step();
+        for (int substep = 0; substep < c_.plan.substeps; ++substep) {
+            double moved = 0;
+            for (const auto& part : parts_) moved = larger(moved, part->move(substep));
+            for (const auto& part : parts_) part->finish_move();
+            c_.motion.solid += moved;
+        }
+        for (const auto& part : parts_) part->end_step();
+        c_.solid_steps += static_cast<std::uint64_t>(c_.plan.substeps);
+    }
+    void last_kick() override {
+        for (const auto& part : parts_) part->last_kick();
+    }
+    void add_energy(EnergyBalance& e) const override {
+        for (const auto& part : parts_) part->add_energy(e);
+    }
+    Vec<Dim> momentum() const override {
+        Vec<Dim> sum;
+        for (const auto& part : parts_) sum += part->momentum();
+        return sum;
+    }
+    void save(const StateWriter& writer) override {
+        for (const auto& part : parts_) part->save(writer);
+    }
+    void restore(const StateReader& reader) override {
+        for (const auto& part : parts_) part->restore(reader);
+    }
+
+  private:
+    StepContext<Dim>& c_;
+    std::vector<std::unique_ptr<SolidPart<Dim>>> parts_;
+};
+
+}  // namespace sluice
