@@ -74,11 +74,11 @@ struct Medium {
         v.pressure_over_rho2 = pressure_over_rho2.data();
         v.stress_over_rho2 = columns_of(stress);
         v.artificial_stress = columns_of(artificial);
-        v.acceleration = columns_of(acceleration);
+        v.mean_acceleration = columns_of(acceleration);
         v.area_normal = columns_of(area_normal);
         v.shared_force = columns_of(shared_force);
         v.density_gradient = columns_of(density_gradient);
-        v.current_position = v.position;
+        v.reference_position = v.position;
         v.deformation = columns_of(deformation);
         v.corrected_stress = columns_of(corrected_stress);
         v.hourglass_stiffness = hourglass_stiffness.data();

@@ -23,12 +23,12 @@ struct Output {
     TupleField<Dim * Dim> tensors, more_tensors;
     SymTensorField<Dim> symmetric;
     BlockTotals<Dim> totals;
-    ShiftFields<Dim> shift;
+    Columns<Dim> shift;
 
     explicit Output(std::size_t n) : scalars(n) {
         vectors.resize(n);
         tensors.resize(n);
-        shift.reset(n);
+        clear_surroundings<Dim>(shift, n, n);
         more_tensors.resize(n);
         symmetric.resize(n);
     }

@@ -140,14 +140,15 @@ Rows<Cube<Dim>> elastic_rows() {
     const Roles<S> all{&S::medium, &S::medium, &S::list};
     return {pass_row<GradientMatrixSums<Dim>>("elastic_correction", all, 1 + sym_components<Dim>,
                                               [](const S& s, Precision, Out& out) {
-                                                  elastic_correction<Dim>(s.medium.view(), s.list, 1e6, {},
+                                                  const double stiffness = 1e6;
+                                                  elastic_correction<Dim>(s.medium.view(), s.list, {&stiffness, 1}, {},
                                                                           out.symmetric, out.scalars);
                                               }),
             pass_row<DeformationSums<Dim>>(
                 "elastic_deformation", all, 2 * Dim * Dim,
                 [](const S& s, Precision, Out& out) {
                     const auto rubber = Hyperelastic::with(ElasticLaw::neo_hookean, 12e6, 0.4);
-                    elastic_deformation<Dim>(s.medium.view(), s.list, rubber, {}, out.tensors, out.more_tensors);
+                    elastic_deformation<Dim>(s.medium.view(), s.list, {&rubber, 1}, {}, out.tensors, out.more_tensors);
                 }),
             pass_row<ElasticMomentum<Dim>>("elastic_momentum", all, Dim,
                                            [](const S& s, Precision, Out& out) {

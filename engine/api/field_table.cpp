@@ -27,8 +27,8 @@ void visit_open(const ParticleSet<Dim>& set, Visit&& visit) {
 }
 
 /// The pressure of a total-Lagrangian solid follows from its deformation; its column is not kept up to date.
-bool is_stale(const Effects& effects, Medium medium, Column column) {
-    return medium == Medium::solid && column == Column::pressure && effects.has(Effect::total_lagrangian);
+bool is_stale(const Effects& effects, Medium medium, sluice::Column column) {
+    return medium == Medium::solid && column == sluice::Column::pressure && effects.has(Effect::total_lagrangian);
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ class IdIndex {
   public:
     static constexpr Index none = std::numeric_limits<Index>::max();
 
+    IdIndex() = default;
+    /// For particles with these ids.
+    explicit IdIndex(const Array<std::uint64_t>& id) { update(id, id.size()); }
+
     /// For particles whose ids stand in the first `count` places.
     void update(const Array<std::uint64_t>& id, std::size_t count);
 

@@ -9,20 +9,19 @@
 namespace sluice {
 namespace {
 
-using Columns = std::set<std::string>;
+using Names = std::set<std::string>;
 
-template <class Phase>
-void add_allocated(const std::string& name, const Phase& phase, Columns& columns) {
-    visit_columns(const_cast<Phase&>(phase), [&](std::string_view column, auto& values) {  // only asked for their size
-        if (values.size() > 0) columns.insert(name + "." + std::string(column));
+void add_allocated(const std::string& name, const ParticleSet<2>& set, Names& columns) {
+    for_each_array(set, [&](const ColumnInfo& info, const auto& values) {
+        if (values.size() > 0) columns.insert(name + "." + std::string(info.name));
     });
 }
 
-/// Columns that hold something, after some steps: scratch would have grown by then.
-Columns allocated(const std::string& content, const std::vector<std::string>& overrides) {
+/// Names that hold something, after some steps: scratch would have grown by then.
+Names allocated(const std::string& content, const std::vector<std::string>& overrides) {
     Simulation<2> s(scene_text::load(effect_scenes::scene(content), overrides));
     advance(s, 3);
-    Columns columns;
+    Names columns;
     add_allocated("fluid", s.fluid(), columns);
     add_allocated("solid", s.solid(), columns);
     add_allocated("wall", s.wall(), columns);
@@ -32,39 +31,39 @@ Columns allocated(const std::string& content, const std::vector<std::string>& ov
 }
 
 /// "phase", "column column" as a set.
-Columns of(const std::string& phase, const std::string& names) {
-    Columns columns;
+Names of(const std::string& phase, const std::string& names) {
+    Names columns;
     std::istringstream stream(names);
     for (std::string name; stream >> name;) columns.insert(phase + "." + name);
     return columns;
 }
 
-Columns operator+(Columns a, const Columns& b) {
+Names operator+(Names a, const Names& b) {
     a.insert(b.begin(), b.end());
     return a;
 }
 
-const Columns fluid = of("fluid",
+const Names fluid = of("fluid",
                          "position velocity acceleration density density_rate pressure mass smoothing_length id body "
                          "pressure_over_rho2");
-const Columns any_solid =
+const Names any_solid =
     of("solid", "position velocity acceleration density pressure mass smoothing_length id body clamped");
-const Columns hypoelastic =
+const Names hypoelastic =
     any_solid + of("solid", "density_rate deviatoric_stress stress_over_rho2 velocity_gradient");
-const Columns total_lagrangian =
+const Names total_lagrangian =
     any_solid +
     of("solid", "reference_position volume deformation corrected_stress gradient_correction hourglass_stiffness");
-const Columns filter = of("fluid", "velocity_correction");
-const Columns shifting =
+const Names filter = of("fluid", "velocity_correction");
+const Names shifting =
     of("fluid", "concentration_gradient surface_normal position_divergence concentration surface_volume");
-const Columns elements =
+const Names elements =
     of("elements",
        "position area_normal velocity pressure image_pressure solid_weight force shared_force smoothing_length body") +
     of("solid", "interface_acceleration halfway_position mean_velocity");
-const Columns boundary = of("boundary", "position velocity acceleration volume smoothing_length force solid body") +
+const Names boundary = of("boundary", "position velocity mean_acceleration volume smoothing_length force solid_id body") +
                          of("solid", "interface_acceleration halfway_position mean_velocity mean_acceleration");
-const Columns wall = of("wall", "position pressure volume smoothing_length id body");
-const Columns artificial_stress = of("solid", "artificial_stress");
+const Names wall = of("wall", "position pressure volume smoothing_length id body");
+const Names artificial_stress = of("solid", "artificial_stress");
 
 const std::string both = effect_scenes::water + effect_scenes::block;
 const std::string reference = "materials.rubber.model=st-venant-kirchhoff";

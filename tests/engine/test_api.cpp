@@ -27,16 +27,16 @@ TEST_CASE("a column that is held keeps its values and its place", "[api]") {
     const Column x = simulation->field(Medium::fluid, "position").columns[0];
     const Column id = simulation->field(Medium::fluid, "id").columns[0];
     const std::vector<double> places = copy_of(x);
-    const std::vector<std::uint32_t> order = copy_of<std::uint32_t>(id);
+    const std::vector<std::uint64_t> order = copy_of<std::uint64_t>(id);
     CHECK(simulation->field(Medium::fluid, "position").columns[0].data() == x.data());
 
     simulation->advance(300);
     CHECK(copy_of(simulation->field(Medium::fluid, "position").columns[0]) != places);
     // Else there was no sort, and the test shows nothing.
-    REQUIRE(copy_of<std::uint32_t>(simulation->field(Medium::fluid, "id").columns[0]) != order);
+    REQUIRE(copy_of<std::uint64_t>(simulation->field(Medium::fluid, "id").columns[0]) != order);
     simulation.reset();
     CHECK(copy_of(x) == places);
-    CHECK(copy_of<std::uint32_t>(id) == order);
+    CHECK(copy_of<std::uint64_t>(id) == order);
 }
 
 TEST_CASE("columns that are held do not change the computation", "[api]") {

@@ -13,11 +13,11 @@
 namespace sluice {
 namespace {
 
-/// All columns of a phase, byte by byte.
-template <class Phase>
-std::string bytes_of(const Phase& phase) {
+/// All columns of a set, byte by byte.
+template <int Dim>
+std::string bytes_of(const ParticleSet<Dim>& set) {
     std::string bytes;
-    visit_columns(const_cast<Phase&>(phase), [&](std::string_view, auto& column) {  // the visitor only reads
+    for_each_array(set, [&](const ColumnInfo&, const auto& column) {
         bytes.append(reinterpret_cast<const char*>(column.data()), column.size() * sizeof(column[0]));
     });
     return bytes;

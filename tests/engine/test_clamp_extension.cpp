@@ -8,7 +8,6 @@
 #include "engine/parts/clamp_extension.hpp"
 #include "engine/parts/largest_eigenvalue.hpp"
 #include "engine/step/neighborhood.hpp"
-#include "engine/step/views.hpp"
 #include "kernels/passes/total_lagrangian_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
@@ -56,13 +55,22 @@ struct ClampedSolid {
           smoothing(scene.method.smoothing_function),
           neighbors(state, effects, scene.method.smoothing_length, smoothing.support),
           method(Precision::full, smoothing),
-          behind(scene, solid(), neighbors.solid_solid, smoothing.support * state.max_h) {
-        elastic_correction<Dim>(reference_view_of(solid()), neighbors.solid_solid, 2e5, method,
+          list(built_list()),
+          behind(scene, solid(), list, smoothing.support * state.max_h) {
+        const double stiffness = 2e5;
+        elastic_correction<Dim>(view_of(solid()), list, {&stiffness, 1}, method,
                                 solid().gradient_correction, solid().hourglass_stiffness);
         behind.share_energy(solid());
     }
 
     ParticleSet<Dim>& solid() { return state.solid; }
+
+    const NeighborList& built_list() {
+        const Pairing& all = neighbors.pair(
+            {SetId::solid, SetId::solid, Upkeep::for_good, Targets::own, Reach::mean, state.hyperelastic});
+        neighbors.build();
+        return all.list;
+    }
 
     /// Free particles go to x + u(x), those behind the clamp's surface follow; forces are left to be handed over.
     template <class Displacement>
@@ -71,21 +79,21 @@ struct ClampedSolid {
         for (std::size_t i = 0; i < s.owned; ++i)
             if (!s.clamped[i]) s.position.set(i, s.reference_position[i] + u(s.reference_position[i]));
         behind.displace(s);
-        const auto view = reference_view_of(s);
-        elastic_deformation<Dim>(view, neighbors.solid_solid, state.rubber->law, method, s.deformation,
-                                 s.corrected_stress);
+        const auto view = view_of(s);
+        const Hyperelastic law = state.solid_materials.front().law;
+        elastic_deformation<Dim>(view, list, {&law, 1}, method, s.deformation, s.corrected_stress);
         for (auto& column : s.acceleration.c) std::fill(column.begin(), column.end(), 0.0);
-        elastic_momentum<Dim>(view, neighbors.solid_solid, {}, method, s.acceleration);
+        elastic_momentum<Dim>(view, list, {}, method, s.acceleration);
     }
 
     double energy() {
         auto& s = solid();
         ScalarField hourglass(s.owned);
-        hourglass_energy<Dim>(reference_view_of(s), neighbors.solid_solid, method, hourglass);
+        hourglass_energy<Dim>(view_of(s), list, method, hourglass);
         double sum = 0;
         for (std::size_t i = 0; i < s.owned; ++i)
             sum += s.elastic_share[i] * s.volume[i] *
-                       state.rubber->law.template energy_density<Dim>(tensor_of<Dim>(s.deformation[i])) +
+                       state.solid_materials.front().law.template energy_density<Dim>(tensor_of<Dim>(s.deformation[i])) +
                    hourglass[i];
         return sum;
     }
@@ -96,6 +104,7 @@ struct ClampedSolid {
     Smoothing<Dim> smoothing;
     Neighborhood<Dim> neighbors;
     PairMethod<Dim> method;
+    const NeighborList& list;
     ClampExtension<Dim> behind;
 };
 

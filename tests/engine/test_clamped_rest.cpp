@@ -4,8 +4,8 @@
 
 #include "engine/particles/state.hpp"
 #include "engine/parts/clamp_extension.hpp"
+#include "engine/parts/resting.hpp"
 #include "engine/step/neighborhood.hpp"
-#include "engine/step/views.hpp"
 #include "kernels/passes/fluid_passes.hpp"
 #include "kernels/passes/solid_passes.hpp"
 #include "neighbor/cluster_grid.hpp"
@@ -71,8 +71,9 @@ TEMPLATE_TEST_CASE_SIG("Stress and force are, to the bit, those of passes over a
     ParticleSet<Dim> twin = solid;
     const ClampExtension<Dim> behind(s.scene(), start, list, method.smoothing.support * solid.smoothing_length[0]);
     behind.displace(twin);
-    const auto view = reference_view_of(twin);
-    elastic_deformation<Dim>(view, list, s.elastic_law(), method, deformation, stress);
+    const auto view = view_of(twin);
+    const Hyperelastic law = s.solid_materials().front().law;
+    elastic_deformation<Dim>(view, list, {&law, 1}, method, deformation, stress);
     elastic_momentum<Dim>(view, list, {}, method, acceleration);
     twin.acceleration = acceleration;
     behind.hand_over(twin);
@@ -99,11 +100,16 @@ TEMPLATE_TEST_CASE_SIG("A hypoelastic solid's rates and forces are, to the bit, 
     const Smoothing<Dim> smoothing(scene.method.smoothing_function);
     Neighborhood<Dim> neighbors(state, effects, scene.method.smoothing_length, smoothing.support);
     auto& solid = state.solid;
+    Pairing& stressed = neighbors.pair(
+        {SetId::solid, SetId::solid, Upkeep::with_solid, Targets::own, Reach::mean, state.hypoelastic});
+    Pairing& moving = neighbors.derive(stressed, "moving");
+    stressed.searched = [&] { leave_out_resting<Dim>(solid, {}, {}, stressed.list, moving.list); };
+    neighbors.build();
     const std::size_t n = solid.owned;
     // Rows are pruned to what the first sub-step may need; what lies beyond adds zero.
     const NeighborList list = whole_list<Dim>(scene, solid.position, solid.smoothing_length, 0.8 * state.min_h);
-    CHECK(neighbors.solid_solid.size() < list.size());
-    CHECK(neighbors.moving_solid().size() < neighbors.solid_solid.size());
+    CHECK(stressed.list.size() < list.size());
+    CHECK(moving.list.size() < stressed.list.size());
     const PairMethod<Dim> method(Precision::full, smoothing);
     for (std::size_t i = 0; i < n; ++i)
         solid.stress_over_rho2.c[0][i] = 1e-3 * std::sin(1e3 * solid.position[i][0]);  // some stress
@@ -113,15 +119,15 @@ TEMPLATE_TEST_CASE_SIG("A hypoelastic solid's rates and forces are, to the bit, 
         TupleField<Dim * Dim> gradient;
         VectorField<Dim> acceleration, filtered;
     };
-    const auto rates = [&](const NeighborList& stressed, const NeighborList& moving) {
+    const auto rates = [&](const NeighborList& of_stress, const NeighborList& of_force) {
         Rates r;
         r.density.assign(n, 0.0), r.gradient.resize(n), r.acceleration.resize(n), r.filtered.resize(n);
-        solid_rates<Dim>(view_of(solid), stressed, method, r.density, r.gradient);
-        solid_momentum<Dim>(view_of(solid), moving, {1, 40, 0, 4, 1.5}, method, r.acceleration);
-        velocity_filter<Dim>(view_of(solid), moving, 0.9, method, r.filtered);
+        solid_rates<Dim>(view_of(solid), of_stress, method, r.density, r.gradient);
+        solid_momentum<Dim>(view_of(solid), of_force, {1, 40, 0, 4, 1.5}, method, r.acceleration);
+        velocity_filter<Dim>(view_of(solid), of_force, 0.9, method, r.filtered);
         return r;
     };
-    const Rates all = rates(list, list), some = rates(neighbors.solid_solid, neighbors.moving_solid());
+    const Rates all = rates(list, list), some = rates(stressed.list, moving.list);
     CHECK(some.density == all.density);
     CHECK(some.gradient.c == all.gradient.c);
     bool same = true;

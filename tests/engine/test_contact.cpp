@@ -91,7 +91,7 @@ double contact_energy(const Simulation<Dim>& s) {
             if (solid.body[i] != solid.body[j])
                 sigma += solid.volume[j] * w(norm(solid.position[i] - solid.position[j]), solid.smoothing_length[i]);
         const double excess = std::max(sigma - threshold, 0.0);
-        energy += 0.5 * contact_stiffness * s.elastic_law().wave_modulus() * solid.volume[i] * excess * excess;
+        energy += 0.5 * contact_stiffness * s.solid_materials().front().law.wave_modulus() * solid.volume[i] * excess * excess;
     }
     return energy;
 }

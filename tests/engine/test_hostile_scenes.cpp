@@ -138,7 +138,8 @@ shape = {box = {min = [-0.01, -0.01], max = [0.01, 0.0]}}
 contact = "off"
 )toml"));
     REQUIRE(simulation.wall().owned == 0);
-    const FrameTable table = frame_table<2>(simulation.fluid(), simulation.solid(), simulation.wall(), {});
+    const FrameTable table = frame_table<2>(simulation.fluid(), simulation.solid(), simulation.wall(),
+                                             simulation.solid_materials(), simulation.hyperelastic());
     REQUIRE(table.particles == simulation.solid().owned);
 }
 

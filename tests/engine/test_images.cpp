@@ -1,4 +1,4 @@
-// Images across mirror walls.
+// Ghosts across mirror walls.
 #include "engine/particles/ghosts.hpp"
 
 #include "tests/catch.hpp"
@@ -15,39 +15,39 @@ TEST_CASE("Particles near a plane have an image behind it, others none") {
     VectorField<2> x;
     x.push_back({{0.5, 0.01}});
     x.push_back({{0.5, 0.5}});
-    Images<2> images;
-    images.create({floor_plane}, x, 2, [](std::size_t) { return 0.1; });
-    REQUIRE(images.count() == 1);
+    Ghosts<2> ghosts;
+    ghosts.create({floor_plane}, x, 2, [](std::size_t) { return 0.1; });
+    REQUIRE(ghosts.count() == 1);
     REQUIRE(x.size() == 3);
     REQUIRE(x[2] == Vec<2>{{0.5, -0.01}});
-    REQUIRE(images.parent(0) == 0);
+    REQUIRE(ghosts.parent(0) == 0);
 }
 
 TEST_CASE("In a corner the image of an image fills the quarter behind both planes") {
     VectorField<2> x;
     x.push_back({{0.02, 0.01}});
-    Images<2> images;
-    images.create({floor_plane, left_plane}, x, 1, [](std::size_t) { return 0.1; });
-    REQUIRE(images.count() == 3);
+    Ghosts<2> ghosts;
+    ghosts.create({floor_plane, left_plane}, x, 1, [](std::size_t) { return 0.1; });
+    REQUIRE(ghosts.count() == 3);
     REQUIRE(x[1] == Vec<2>{{0.02, -0.01}});
     REQUIRE(x[2] == Vec<2>{{-0.02, 0.01}});
     REQUIRE(x[3] == Vec<2>{{-0.02, -0.01}});
 }
 
-TEST_CASE("Images follow their owners: velocities reflected, scalars copied") {
+TEST_CASE("Ghosts follow their owners: velocities reflected, scalars copied") {
     VectorField<2> x, v;
     x.push_back({{0.02, 0.01}});
     v.push_back({{3.0, -1.0}});
     ScalarField p{7.0};
-    Images<2> images;
-    images.create({floor_plane, left_plane}, x, 1, [](std::size_t) { return 0.1; });
-    images.extend(p, 1);
+    Ghosts<2> ghosts;
+    ghosts.create({floor_plane, left_plane}, x, 1, [](std::size_t) { return 0.1; });
+    ghosts.extend<Mirror::same>(p, 1);
     v.resize(4);
     p[0] = 8;
     x.set(0, {{0.03, 0.02}});
-    images.refresh(p, 1);
-    images.refresh_directions(v, 1);
-    images.refresh_positions(x, 1);
+    ghosts.follow<Mirror::same>(p, 1);
+    ghosts.follow<Mirror::direction>(v, 1);
+    ghosts.follow<Mirror::place>(x, 1);
     REQUIRE(v[1] == Vec<2>{{3.0, 1.0}});
     REQUIRE(v[2] == Vec<2>{{-3.0, -1.0}});
     REQUIRE(v[3] == Vec<2>{{-3.0, 1.0}});

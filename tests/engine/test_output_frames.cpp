@@ -96,7 +96,7 @@ FrameTable small_table(const std::vector<std::uint32_t>& fluid_ids) {
     wall.id.push_back(0);
     wall.body.push_back(2);
     wall.owned = 1;
-    return frame_table(fluid, solid, wall);
+    return frame_table(fluid, solid, wall, {}, {});
 }
 
 }  // namespace
@@ -166,7 +166,7 @@ TEST_CASE("A frame in 3D has all six components of the stress") {
 
 TEST_CASE("Without solids a frame has no stress; without particles it is still a frame") {
     const TemporaryFolder folder;
-    write_frame(folder.path() / "a", frame_table<2>({}, {}, {}), {});
+    write_frame(folder.path() / "a", frame_table<2>({}, {}, {}, {}, {}), {});
     const FrameReader frame(folder.path() / "a");
     REQUIRE_FALSE(frame.has("VTKHDF/PointData/stress_xx"));
     REQUIRE(frame.has("VTKHDF/PointData/density"));
@@ -178,7 +178,7 @@ TEST_CASE("Frames are compressed") {
     const TemporaryFolder folder;
     ParticleSet<2> fluid;
     for (std::uint32_t i = 0; i < 20000; ++i) add_base(fluid, i);
-    write_frame(folder.path() / "a", frame_table<2>(fluid, {}, {}), {});
+    write_frame(folder.path() / "a", frame_table<2>(fluid, {}, {}, {}, {}), {});
     // 56 bytes a particle as they are: 16 for points and velocity twice, 8 for scalars, 7 for names, 17 for cells.
     REQUIRE(std::filesystem::file_size(folder.path() / "a") < 20000 * 56 / 2);
 }

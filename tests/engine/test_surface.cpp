@@ -21,9 +21,7 @@ shape = { box = { min = [1.0, 1.0], max = [1.01, 1.01] } }
 material = "rubber"
 shape = )toml" + shape + "\n");
     State<2> state = place_particles<2>(scene, Effects(scene));
-    std::vector<Index> same(state.solid.owned);
-    for (Index i = 0; i < same.size(); ++i) same[i] = i;
-    state.surface.update(state.solid.position, same, state.elements);
+    state.surface.update(state.solid.position, IdIndex(state.solid.id), state.elements);
     return state;
 }
 
@@ -96,13 +94,11 @@ TEST_CASE("Elements turn and move with the body") {
     auto state = state_of("{ box = { min = [0.0, 0.0], max = [0.03, 0.05] } }");
     const double c = std::cos(0.7), s = std::sin(0.7);
     const auto before = state.elements.area_normal;
-    std::vector<Index> same(state.solid.owned);
-    for (Index i = 0; i < same.size(); ++i) {
-        same[i] = i;
+    for (std::size_t i = 0; i < state.solid.owned; ++i) {
         const Vec<2> x = state.solid.position[i];
         state.solid.position.set(i, {{c * x[0] - s * x[1] + 5, s * x[0] + c * x[1] - 3}});
     }
-    state.surface.update(state.solid.position, same, state.elements);
+    state.surface.update(state.solid.position, IdIndex(state.solid.id), state.elements);
     for (std::size_t k = 0; k < state.elements.owned; ++k) {
         const Vec<2> n = before[k], turned{{c * n[0] - s * n[1], s * n[0] + c * n[1]}};
         REQUIRE(norm(state.elements.area_normal[k] - turned) < 1e-14);  // rounding at coordinates of 5 m

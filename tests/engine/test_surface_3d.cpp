@@ -1,6 +1,7 @@
 // The interface around a body in 3D: faces of its lattice, corners that follow its particles.
 #include <Eigen/Dense>
 #include <cmath>
+#include <numeric>
 #include <numbers>
 #include <random>
 #include <set>
@@ -19,8 +20,9 @@ struct Body {
         surface.add_body(packing, 0, 7);
         surface.allocate(elements);
         for (const Point& p : packing.position) initial.push_back({{p[0], p[1], p[2]}});
-        index_of_id.resize(initial.size());
-        for (Index i = 0; i < index_of_id.size(); ++i) index_of_id[i] = i;
+        Array<std::uint64_t> ids(initial.size());
+        std::iota(ids.begin(), ids.end(), std::uint64_t{0});
+        index_of_id = IdIndex(ids);
         move([](const Vec<3>& x) { return x; });
     }
     /// Brings the particles from their initial places to others, and the surface with them.
@@ -49,7 +51,7 @@ struct Body {
 
     Packing packing;
     std::vector<Vec<3>> initial;
-    std::vector<Index> index_of_id;
+    IdIndex index_of_id;
     BodySurface<3> surface;
     ParticleSet<3> elements;
 };

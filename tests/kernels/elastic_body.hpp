@@ -28,8 +28,8 @@ struct ElasticBody {
         hourglass_energies.assign(n, 0);
         deformation.resize(n);
         corrected_stress.resize(n);
-        elastic_correction<Dim>(view(), list, hourglass_control * 2 * law.mu, method, gradient_correction,
-                                hourglass_stiffness);
+        const double stiffness = hourglass_control * 2 * law.mu;
+        elastic_correction<Dim>(view(), list, {&stiffness, 1}, method, gradient_correction, hourglass_stiffness);
     }
     ElasticBody(const Particles<Dim>& particles, const Hyperelastic& material, double hourglass_control,
                 PairMethod<Dim> m = {})
@@ -39,7 +39,8 @@ struct ElasticBody {
 
     ParticleView<Dim> view() const {
         ParticleView<Dim> v = reference.view();
-        v.current_position = columns_of(position);
+        v.reference_position = v.position;
+        v.position = columns_of(position);
         v.deformation = columns_of(deformation);
         v.corrected_stress = columns_of(corrected_stress);
         v.hourglass_stiffness = hourglass_stiffness.data();
@@ -58,7 +59,7 @@ struct ElasticBody {
 
     /// F, T and the acceleration of the current positions.
     void evaluate(const ElasticViscosity& viscosity = {}) {
-        elastic_deformation<Dim>(view(), list, law, method, deformation, corrected_stress);
+        elastic_deformation<Dim>(view(), list, {&law, 1}, method, deformation, corrected_stress);
         for (ScalarField& column : acceleration.c) std::fill(column.begin(), column.end(), 0.0);
         elastic_momentum<Dim>(view(), list, viscosity, method, acceleration);
     }

@@ -57,8 +57,8 @@ struct UnitPair {
     using Tensor = Vec<3>;
     double w;
     double shape() const { return w; }
-    Tensor artificial_stress_i() const { return {{1, 1, 0}}; }
-    Tensor artificial_stress_j() const { return {}; }
+    Tensor i(ColumnTag<Column::artificial_stress>) const { return {{1, 1, 0}}; }
+    Tensor j(ColumnTag<Column::artificial_stress>) const { return {}; }
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ struct BoundaryScene {
     }
     ParticleView<Dim> boundary() const {
         ParticleView<Dim> v = solid.view();
-        v.acceleration = columns_of(acceleration);
+        v.mean_acceleration = columns_of(acceleration);
         return v;
     }
 };

@@ -31,7 +31,7 @@ struct FlatFace {
     }
     ParticleView<Dim> boundary() const {
         ParticleView<Dim> v = solid.view();
-        v.acceleration = columns_of(acceleration);
+        v.mean_acceleration = columns_of(acceleration);
         return v;
     }
     /// The mean pressure of the fluid on the middle of the face: what the columns of particles there bear. [Pa]

@@ -22,7 +22,7 @@ struct SumTwins {
           divergence(twin::position_divergence<Dim>(p, others)),
           concentration(twin::concentration<Dim>(p, others)) {}
 
-    void check(const ShiftFields<Dim>& fields, double tolerance) const {
+    void check(const Columns<Dim>& fields, double tolerance) const {
         CHECK(worst_error(fields.concentration_gradient, gradient) < tolerance);
         CHECK(worst_error(fields.position_divergence, divergence) < tolerance);
         CHECK(worst_error(fields.concentration, concentration) < tolerance);
@@ -31,11 +31,11 @@ struct SumTwins {
 
 /// All that shifting needs, of a fluid alone.
 template <int Dim>
-ShiftFields<Dim> surroundings(const Particles<Dim>& p, const ShiftTerms& terms) {
+Columns<Dim> surroundings(const Particles<Dim>& p, const ShiftTerms& terms) {
     const ThreadScope one_thread(1);
     const NeighborList list = list_of(p);
-    ShiftFields<Dim> fields;
-    fields.reset(p.size());
+    Columns<Dim> fields;
+    clear_surroundings<Dim>(fields, p.size(), p.size());
     shift_sums<Dim>(p.view(), list, terms, Precision::full, fields);
     mark_free_surface<Dim>(p.view(), p.size(), fields);
     surface_normals<Dim>(p.view(), list, Precision::full, fields);
@@ -68,7 +68,7 @@ int empty_places(const Particles<Dim>& p, std::size_t i) {
 
 /// Root of the mean square of |∇C| h over the given particles.
 template <int Dim>
-double unevenness(const ShiftFields<Dim>& fields, const std::vector<std::size_t>& which, double h) {
+double unevenness(const Columns<Dim>& fields, const std::vector<std::size_t>& which, double h) {
     double sum = 0;
     for (const std::size_t i : which) sum += norm2(h * fields.concentration_gradient[i]);
     return std::sqrt(sum / static_cast<double>(which.size()));
@@ -81,8 +81,8 @@ TEMPLATE_TEST_CASE_SIG("shift_sums equal their twins", "[shift]", ((int Dim), Di
         const ShiftTerms terms{1.3};
         const SumTwins<Dim> expected(p, p, terms);
         in_all_variants([&](Precision precision) {
-            ShiftFields<Dim> fields;
-            fields.reset(p.size());
+            Columns<Dim> fields;
+            clear_surroundings<Dim>(fields, p.size(), p.size());
             CHECK(shift_sums<Dim>(p.view(), list, terms, precision, fields) == list.pairs());
             expected.check(fields, twin_tolerance(precision));
         });
@@ -99,8 +99,8 @@ TEMPLATE_TEST_CASE_SIG("boundary_shift_sums equal their twins and add to the flu
         const ShiftTerms terms{1.5, 2, 0.5};
         const SumTwins<Dim> expected(fluid, boundary, terms);
         in_all_variants([&](Precision precision) {
-            ShiftFields<Dim> fields;
-            fields.reset(fluid.size());
+            Columns<Dim> fields;
+            clear_surroundings<Dim>(fields, fluid.size(), fluid.size());
             CHECK(boundary_shift_sums<Dim>(fluid.view(), boundary.view(), list, terms, precision, fields) ==
                   list.pairs());
             expected.check(fields, twin_tolerance(Precision::full));
@@ -118,12 +118,12 @@ TEMPLATE_TEST_CASE_SIG("surface_normals equal their twin", "[shift]", ((int Dim)
         for (double& v : surface.volume) v = random.in(-1, 1) < 0 ? v : 0.0;
         const auto expected = twin::concentration_gradient<Dim>(p, surface, 0, 1.3);
         in_all_variants([&](Precision precision) {
-            ShiftFields<Dim> fields;
-            fields.reset(p.size());
+            Columns<Dim> fields;
+            clear_surroundings<Dim>(fields, p.size(), p.size());
             fields.surface_volume = surface.volume;
             CHECK(surface_normals<Dim>(p.view(), list, precision, fields) == list.pairs());
             CHECK(worst_error(fields.surface_normal, expected) < twin_tolerance(precision));
-            fields.reset(p.size());
+            clear_surroundings<Dim>(fields, p.size(), p.size());
             surface_normals<Dim>(p.view(), list, precision, fields);
             for (std::size_t i = 0; i < p.size(); ++i) REQUIRE(norm2(fields.surface_normal[i]) == 0);  // no surface
         });
@@ -139,8 +139,8 @@ TEMPLATE_TEST_CASE_SIG("the passes of shifting far from the origin, at any scale
         in_all_variants([&](Precision precision) {
             const auto run = [&](int threads) {
                 const ThreadScope scope(threads);
-                ShiftFields<Dim> fields;
-                fields.reset(p.size());
+                Columns<Dim> fields;
+                clear_surroundings<Dim>(fields, p.size(), p.size());
                 shift_sums<Dim>(p.view(), list, terms, precision, fields);
                 mark_free_surface<Dim>(p.view(), p.size(), fields);
                 surface_normals<Dim>(p.view(), list, precision, fields);
@@ -225,8 +225,8 @@ TEMPLATE_TEST_CASE_SIG("a wall of boundary particles is no free surface", "[shif
     const int half = Dim == 2 ? 8 : 6;
     const auto fluid = cut_out<Dim>(half, 1.5, [](const Vec<Dim>&x) { return x[1] > 0; }),
                wall = cut_out<Dim>(half, 1.5, [](const Vec<Dim>&x) { return x[1] < 0; });
-    ShiftFields<Dim> fields;
-    fields.reset(fluid.size());
+    Columns<Dim> fields;
+    clear_surroundings<Dim>(fields, fluid.size(), fluid.size());
     shift_sums<Dim>(fluid.view(), list_of(fluid), terms, Precision::full, fields);
     boundary_shift_sums<Dim>(fluid.view(), wall.view(), list_of(fluid, wall), terms, Precision::full, fields);
     mark_free_surface<Dim>(fluid.view(), fluid.size(), fields);
@@ -259,7 +259,7 @@ TEMPLATE_TEST_CASE_SIG("a lattice is not shifted, nor across its free surface", 
             for (int k = 0; k < Dim; ++k) faces += std::abs(p.position[i][k]) > half * d - (2 * h_over_d + 1) * d;
             if (faces > 1) continue;
             ++checked;
-            worst = std::max(worst, norm(particle_shift<Dim>(terms, fields[i], p.h[i], 0.1 * d)));
+            worst = std::max(worst, norm(particle_shift<Dim>(terms, surroundings_of<Dim>(fields, i), p.h[i], 0.1 * d)));
         }
         CAPTURE(h_over_d);
         CHECK(checked > 0);
@@ -286,7 +286,7 @@ TEMPLATE_TEST_CASE_SIG("shifting evens out a disturbed lattice and keeps it in i
     for (int step = 0; step < 20; ++step) {
         const auto fields = surroundings<Dim>(p, terms);
         for (const std::size_t i : inside)
-            p.position.set(i, p.position[i] + particle_shift<Dim>(terms, fields[i], p.h[i], 0.1 * d));
+            p.position.set(i, p.position[i] + particle_shift<Dim>(terms, surroundings_of<Dim>(fields, i), p.h[i], 0.1 * d));
     }
     Vec<Dim> mean;
     for (const std::size_t i : inside) mean += (1.0 / static_cast<double>(inside.size())) * (p.position[i] - start[i]);
@@ -320,7 +320,7 @@ TEMPLATE_TEST_CASE_SIG("shifting evens out the particles under a free surface al
         for (int step = 0; step < 200; ++step) {
             const auto fields = surroundings<Dim>(p, terms);
             for (std::size_t i = 0; i < p.size(); ++i)
-                p.position.set(i, p.position[i] + particle_shift<Dim>(terms, fields[i], p.h[i], 0.05 * d));
+                p.position.set(i, p.position[i] + particle_shift<Dim>(terms, surroundings_of<Dim>(fields, i), p.h[i], 0.05 * d));
         }
         double rise = 0;
         for (const std::size_t i : second)

@@ -97,7 +97,8 @@ twin::ElasticColumns<Dim> random_columns(const Particles<Dim>& p, Random& random
 template <int Dim>
 ParticleView<Dim> view_of(const Particles<Dim>& p, const twin::ElasticColumns<Dim>& c) {
     ParticleView<Dim> v = p.view();
-    v.current_position = columns_of(c.x);
+    v.reference_position = v.position;
+    v.position = columns_of(c.x);
     v.corrected_stress = columns_of(c.t);
     v.hourglass_stiffness = c.k.data();
     return v;
@@ -271,7 +272,9 @@ TEMPLATE_TEST_CASE_SIG("a lone particle has no correction of an earlier list", "
         auto l = zeros<sym_components<Dim>>(p.size());
         for (auto& column : l.c) column.assign(p.size(), 9.0);
         ScalarField k(p.size(), 9.0);
-        elastic_correction<Dim>(p.view(), list, stiffness, precision, l, k);
+        ParticleView<Dim> view = p.view();
+        view.reference_position = view.position;
+        elastic_correction<Dim>(view, list, {&stiffness, 1}, precision, l, k);
         CHECK(l[p.size() - 1] == Vec<sym_components<Dim>>{});
         CHECK(k[p.size() - 1] == 0);
         CHECK(k[0] == stiffness);

@@ -73,7 +73,7 @@ class Views(unittest.TestCase):
         self.assertFalse(first.flags.owndata)
         self.assertEqual(first.dtype, numpy.float64)
         self.assertEqual(first.shape, (simulation.fluid.count,))
-        self.assertEqual(simulation.fluid["id"].dtype, numpy.uint32)
+        self.assertEqual(simulation.fluid["id"].dtype, numpy.uint64)
         self.assertEqual(simulation.fluid["body"].dtype, numpy.uint16)
         self.assertEqual(simulation.solid["clamped"].dtype, numpy.uint8)
         self.assertEqual(len(simulation.fluid["position"]), 2)

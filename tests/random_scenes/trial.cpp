@@ -61,9 +61,9 @@ void demand(bool holds, const std::string& what) {
     if (!holds) throw Broken(what);
 }
 
-template <class Phase>
-void append_bytes(const Phase& phase, std::string& bytes) {
-    visit_columns(const_cast<Phase&>(phase), [&](std::string_view, auto& column) {  // the visitor only reads
+template <int Dim>
+void append_bytes(const ParticleSet<Dim>& set, std::string& bytes) {
+    for_each_array(set, [&](const ColumnInfo&, const auto& column) {
         bytes.append(reinterpret_cast<const char*>(column.data()), column.size() * sizeof(column[0]));
     });
 }
