@@ -14,7 +14,7 @@
 #include "engine/command/scene_options.hpp"
 #include "engine/command/study_text.hpp"
 #include "engine/command/thread_settings.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/output/report.hpp"
 #include "engine/output/summary.hpp"

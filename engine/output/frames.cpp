@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "engine/errors.hpp"
-#include "engine/output/atomic_file.hpp"
-#include "engine/output/hdf5_file.hpp"
+#include "engine/files/atomic_file.hpp"
+#include "engine/files/hdf5_file.hpp"
 #include "engine/output/version.hpp"
 
 namespace sluice {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/checkpoint/state_visitors.hpp"
+#include "engine/files/state_visitors.hpp"
 #include "engine/parts/balances.hpp"
 #include "engine/scene/light_solid.hpp"
 #include "neighbor/parallel.hpp"

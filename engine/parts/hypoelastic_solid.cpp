@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/checkpoint/state_visitors.hpp"
+#include "engine/files/state_visitors.hpp"
 #include "engine/parts/balances.hpp"
 #include "engine/parts/resting.hpp"
 #include "engine/parts/solid_motion.hpp"

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/checkpoint/state_visitors.hpp"
 #include "engine/couplings/make_couplings.hpp"
 #include "engine/errors.hpp"
+#include "engine/files/state_visitors.hpp"
+#include "engine/particles/set_columns.hpp"
 #include "engine/parts/balances.hpp"
 #include "engine/parts/make_parts.hpp"
 #include "engine/scene/formula.hpp"

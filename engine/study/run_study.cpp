@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/stop_request.hpp"
 #include "engine/study/child_run.hpp"
 #include "engine/study/evaluate.hpp"

@@ -6,7 +6,7 @@
 #include "engine/checkpoint/checkpoint_store.hpp"
 #include "engine/checkpoint/resume.hpp"
 #include "engine/checkpoint/text_difference.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/output/schedule.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"

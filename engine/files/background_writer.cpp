@@ -1,4 +1,4 @@
-#include "engine/output/background_writer.hpp"
+#include "engine/files/background_writer.hpp"
 
 #include <chrono>
 #include <utility>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/output/hdf5_file.hpp"
+#include "engine/files/hdf5_file.hpp"
 
 namespace sluice {
 

@@ -1,4 +1,4 @@
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

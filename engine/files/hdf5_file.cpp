@@ -1,4 +1,4 @@
-#include "engine/output/hdf5_file.hpp"
+#include "engine/files/hdf5_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "engine/output/folder_lock.hpp"
+#include "engine/files/folder_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "engine/output/hdf5_reader.hpp"
+#include "engine/files/hdf5_reader.hpp"
 
 #include <fmt/format.h>
 
