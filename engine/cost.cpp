@@ -9,9 +9,9 @@
 #include <new>
 #include <numeric>
 
+#include "engine/base/process_usage.hpp"
 #include "engine/effect_table.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/run_record.hpp"
 #include "engine/step/simulation.hpp"
 #include "engine/watch/state_check.hpp"
 #include "neighbor/thread_count.hpp"

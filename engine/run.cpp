@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/process_usage.hpp"
+#include "engine/base/version.hpp"
 #include "engine/checkpoint/checkpoint_store.hpp"
 #include "engine/checkpoint/checkpoint_times.hpp"
 #include "engine/errors.hpp"
@@ -22,7 +24,6 @@
 #include "engine/output/report.hpp"
 #include "engine/output/schedule.hpp"
 #include "engine/output/summary.hpp"
-#include "engine/output/version.hpp"
 #include "engine/profile/run_profile.hpp"
 #include "engine/stop_request.hpp"
 #include "engine/watch/recovery.hpp"

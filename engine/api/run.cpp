@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/version.hpp"
 #include "engine/checkpoint/resume.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/version.hpp"
 #include "engine/run.hpp"
 #include "neighbor/isa.hpp"
 

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/version.hpp"
 #include "engine/checkpoint/resume.hpp"
 #include "engine/command/commands.hpp"
 #include "engine/command/scene_options.hpp"
 #include "engine/command/thread_settings.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/version.hpp"
 #include "engine/profile/trace_recorder.hpp"
 #include "engine/run.hpp"
 #include "engine/scene/suspicion.hpp"

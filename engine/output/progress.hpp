@@ -20,10 +20,6 @@ struct ProgressState {
 std::string progress_text(const ProgressState& state);
 /// [#########-----------], `width` marks wide.
 std::string progress_bar(const ProgressState& state, int width);
-/// 0:07, 12:34, 1:02:03
-std::string clock_text(double seconds);
-/// 950, 12.3 k, 2.31 M, 1.20 G
-std::string short_number(double value);
 
 class Progress {
   public:

@@ -4,7 +4,8 @@
 
 #include <numeric>
 
-#include "engine/output/progress.hpp"
+#include "engine/base/number_text.hpp"
+#include "engine/base/process_usage.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {
@@ -54,11 +55,6 @@ std::string warnings_text(const RunRecord& record) {
 }
 
 }  // namespace
-
-std::string memory_text(double bytes) {
-    const std::string number = short_number(bytes);
-    return number + (bytes >= 999.5 ? "B" : " B");
-}
 
 template <int Dim>
 std::string report_text(const Simulation<Dim>& simulation, const RunRecord& record) {

@@ -8,9 +8,6 @@
 
 namespace sluice {
 
-/// 950 B, 12.3 kB, 8.10 MB
-std::string memory_text(double bytes);
-
 template <int Dim>
 std::string report_text(const Simulation<Dim>& simulation, const RunRecord& record);
 

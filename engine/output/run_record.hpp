@@ -16,11 +16,6 @@ enum class RunState { running, done, interrupted, failed };
 /// As summary.json has it.
 std::string_view name_of(RunState state);
 
-/// CPU time of this process so far, all threads [s].
-double process_cpu_seconds();
-/// The most memory that this process has held so far.
-std::size_t peak_memory_bytes();
-
 struct RunRecord {
     RunState state = RunState::running;
     std::string message;  ///< why it failed

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/output/version.hpp"
+#include "engine/base/process_usage.hpp"
+#include "engine/base/text_hash.hpp"
+#include "engine/base/version.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {
@@ -111,15 +113,6 @@ void add_probes(Json& json, const RunRecord& record) {
 }
 
 }  // namespace
-
-std::string text_hash(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char c : text) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 0x100000001b3U;
-    }
-    return fmt::format("{:016x}", hash);
-}
 
 template <int Dim>
 std::string summary_text(const Simulation<Dim>& simulation, const RunRecord& record) {

@@ -1,3 +1,5 @@
+#include "engine/base/number_text.hpp"
+#include "engine/base/text_hash.hpp"
 #include "engine/output/progress.hpp"
 #include "engine/output/report.hpp"
 #include "engine/output/schedule.hpp"

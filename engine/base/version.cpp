@@ -1,4 +1,4 @@
-#include "engine/output/version.hpp"
+#include "engine/base/version.hpp"
 
 namespace sluice {
 
