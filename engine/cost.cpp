@@ -12,7 +12,7 @@
 #include "engine/base/process_usage.hpp"
 #include "engine/effect_table.hpp"
 #include "engine/errors.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/watch/state_check.hpp"
 #include "neighbor/thread_count.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "engine/files/background_writer.hpp"
 #include "engine/output/frame_table.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/output/run_record.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/files/state_visitors.hpp"
-#include "engine/parts/balances.hpp"
 #include "engine/scene/light_solid.hpp"
+#include "engine/step/balances.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "engine/files/state_visitors.hpp"
-#include "engine/parts/balances.hpp"
 #include "engine/parts/resting.hpp"
 #include "engine/parts/solid_motion.hpp"
+#include "engine/step/balances.hpp"
 #include "engine/step/coupling.hpp"
 #include "kernels/materials/jaumann.hpp"
 #include "kernels/materials/tensile_correction.hpp"

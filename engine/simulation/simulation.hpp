@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "engine/effects.hpp"
-#include "engine/scene/scene.hpp"
 #include "engine/particles/id_index.hpp"
 #include "engine/particles/materials.hpp"
 #include "engine/particles/part_range.hpp"
 #include "engine/particles/particle_set.hpp"
-#include "engine/step/closest_pair.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/simulation/closest_pair.hpp"
 #include "engine/step/energy_balance.hpp"
 #include "engine/step/interface_balance.hpp"
 #include "engine/step/phase_timer.hpp"

@@ -14,7 +14,8 @@ namespace sluice {
 template <int Dim>
 void add_motion(const ParticleSet<Dim>& set, const PartRange& part, const Vec<Dim>& gravity, EnergyBalance& e) {
     e.kinetic += ordered_sum<double>(part, [&](std::size_t i) { return 0.5 * set.mass[i] * norm2(set.velocity[i]); });
-    e.potential -= ordered_sum<double>(part, [&](std::size_t i) { return set.mass[i] * dot(gravity, set.position[i]); });
+    e.potential -=
+        ordered_sum<double>(part, [&](std::size_t i) { return set.mass[i] * dot(gravity, set.position[i]); });
 }
 
 /// ∫ p/ρ² dρ

@@ -1,4 +1,4 @@
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include "engine/errors.hpp"
 #include "engine/files/state_visitors.hpp"
 #include "engine/particles/set_columns.hpp"
-#include "engine/parts/balances.hpp"
 #include "engine/parts/make_parts.hpp"
 #include "engine/scene/formula.hpp"
+#include "engine/step/balances.hpp"
 
 namespace sluice {
 namespace {

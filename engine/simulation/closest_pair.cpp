@@ -1,4 +1,4 @@
-#include "engine/step/closest_pair.hpp"
+#include "engine/simulation/closest_pair.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,9 @@ ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings
     };
     if (to == Neighbor::fluid) look(view_of(fluid), c.neighbors.pair({SetId::fluid, SetId::fluid}).list);
     if (to == Neighbor::wall) look(view_of(c.state.wall), c.neighbors.pair({SetId::fluid, SetId::wall}).list);
-    if (to == Neighbor::solid) look(view_of(c.state.boundary), c.neighbors.pair({SetId::fluid, SetId::boundary, Upkeep::coupling, Targets::own}).list);
+    if (to == Neighbor::solid)
+        look(view_of(c.state.boundary),
+             c.neighbors.pair({SetId::fluid, SetId::boundary, Upkeep::coupling, Targets::own}).list);
     if (counts)
         for (Index i = 0; i < crowding.size(); ++i)
             if (crowding[i] > of_itself && !counts(i)) crowding[i] = of_itself;
