@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "engine/base/version.hpp"
-#include "engine/checkpoint/resume.hpp"
 #include "engine/errors.hpp"
-#include "engine/run.hpp"
+#include "engine/run/resume.hpp"
+#include "engine/run/run.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice::api {

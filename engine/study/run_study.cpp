@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "engine/files/atomic_file.hpp"
-#include "engine/stop_request.hpp"
+#include "engine/run/stop_request.hpp"
 #include "engine/study/child_run.hpp"
 #include "engine/study/evaluate.hpp"
 #include "engine/study/report_page.hpp"

@@ -17,7 +17,7 @@
 #include "engine/geometry/packing.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/particles/particle_set.hpp"
-#include "engine/run.hpp"
+#include "engine/run/run.hpp"
 #include "engine/scene/checks.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "engine/watch/watch.hpp"

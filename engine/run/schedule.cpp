@@ -1,4 +1,4 @@
-#include "engine/output/schedule.hpp"
+#include "engine/run/schedule.hpp"
 
 #include <cmath>
 

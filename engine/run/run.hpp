@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/output/run_record.hpp"
+#include "engine/run/run_record.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {

@@ -1,4 +1,4 @@
-#include "engine/output/run_record.hpp"
+#include "engine/run/run_record.hpp"
 
 namespace sluice {
 

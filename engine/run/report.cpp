@@ -1,4 +1,4 @@
-#include "engine/output/report.hpp"
+#include "engine/run/report.hpp"
 
 #include <fmt/format.h>
 

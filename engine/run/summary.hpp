@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/output/run_record.hpp"
+#include "engine/run/run_record.hpp"
 #include "engine/simulation/simulation.hpp"
 
 namespace sluice {

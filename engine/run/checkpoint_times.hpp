@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "engine/output/schedule.hpp"
+#include "engine/run/schedule.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {

@@ -1,4 +1,4 @@
-#include "engine/checkpoint/resume.hpp"
+#include "engine/run/resume.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "engine/checkpoint/checkpoint_file.hpp"
 #include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/checkpoint/text_difference.hpp"
 #include "engine/errors.hpp"
+#include "engine/run/text_difference.hpp"
 
 namespace sluice {
 

@@ -1,4 +1,4 @@
-#include "engine/output/summary.hpp"
+#include "engine/run/summary.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "engine/run.hpp"
+#include "engine/run/run.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -12,7 +12,6 @@
 #include "engine/base/process_usage.hpp"
 #include "engine/base/version.hpp"
 #include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/checkpoint/checkpoint_times.hpp"
 #include "engine/errors.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "engine/files/background_writer.hpp"
@@ -20,13 +19,14 @@
 #include "engine/files/hdf5_file.hpp"
 #include "engine/output/frames.hpp"
 #include "engine/output/probes.hpp"
-#include "engine/output/progress.hpp"
-#include "engine/output/report.hpp"
-#include "engine/output/schedule.hpp"
-#include "engine/output/summary.hpp"
 #include "engine/profile/run_profile.hpp"
-#include "engine/stop_request.hpp"
-#include "engine/watch/recovery.hpp"
+#include "engine/run/checkpoint_times.hpp"
+#include "engine/run/progress.hpp"
+#include "engine/run/recovery.hpp"
+#include "engine/run/report.hpp"
+#include "engine/run/schedule.hpp"
+#include "engine/run/stop_request.hpp"
+#include "engine/run/summary.hpp"
 #include "engine/watch/watch.hpp"
 #include "neighbor/isa.hpp"
 

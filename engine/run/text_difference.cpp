@@ -1,4 +1,4 @@
-#include "engine/checkpoint/text_difference.hpp"
+#include "engine/run/text_difference.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "engine/output/progress.hpp"
+#include "engine/run/progress.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
