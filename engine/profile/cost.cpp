@@ -1,4 +1,4 @@
-#include "engine/cost.hpp"
+#include "engine/profile/cost.hpp"
 
 #include <omp.h>
 
