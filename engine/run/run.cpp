@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/process_usage.hpp"
+#include "engine/base/stop_request.hpp"
 #include "engine/base/version.hpp"
 #include "engine/checkpoint/checkpoint_store.hpp"
 #include "engine/errors.hpp"
@@ -25,7 +26,6 @@
 #include "engine/run/recovery.hpp"
 #include "engine/run/report.hpp"
 #include "engine/run/schedule.hpp"
-#include "engine/run/stop_request.hpp"
 #include "engine/run/summary.hpp"
 #include "engine/watch/watch.hpp"
 #include "neighbor/isa.hpp"

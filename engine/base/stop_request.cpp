@@ -1,4 +1,4 @@
-#include "engine/run/stop_request.hpp"
+#include "engine/base/stop_request.hpp"
 
 namespace sluice {
 namespace {
