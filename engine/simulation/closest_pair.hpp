@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "neighbor/neighbor_list.hpp"
+#include "neighbor/fields.hpp"
 
 namespace sluice {
 

@@ -3,19 +3,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "engine/effects.hpp"
-#include "engine/particles/id_index.hpp"
-#include "engine/particles/materials.hpp"
-#include "engine/particles/part_range.hpp"
 #include "engine/particles/particle_set.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/simulation/closest_pair.hpp"
 #include "engine/step/energy_balance.hpp"
 #include "engine/step/interface_balance.hpp"
-#include "engine/step/phase_timer.hpp"
 #include "engine/step/step_plan.hpp"
 
 namespace sluice {
@@ -28,8 +22,13 @@ struct WorkCount {
     std::uint64_t neighbour_builds = 0;
 };
 
+class Effects;
+class IdIndex;
+class MaterialList;
+class PhaseTimer;
 class StateReader;
 class StateWriter;
+struct PartRange;
 
 template <int Dim>
 class Simulation {
