@@ -12,6 +12,7 @@
 #include "bench/dam_break.hpp"
 #include "bench/suite.hpp"
 #include "engine/simulation/simulation.hpp"
+#include "engine/step/phase_timer.hpp"
 
 namespace sluice::bench {
 namespace {

@@ -1,5 +1,6 @@
 #include "engine/api/field_table.hpp"
 
+#include "engine/effects.hpp"
 
 namespace sluice::api {
 namespace {

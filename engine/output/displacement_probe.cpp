@@ -5,6 +5,7 @@
 
 #include "engine/geometry/moving_least_squares.hpp"
 #include "engine/output/probe_sampler.hpp"
+#include "engine/particles/id_index.hpp"
 
 namespace sluice {
 namespace {

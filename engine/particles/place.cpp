@@ -3,10 +3,11 @@
 #include <numeric>
 
 #include "engine/geometry/site_index.hpp"
-#include "engine/scene/checks.hpp"
-#include "engine/scene/formula.hpp"
 #include "engine/particles/joined_bodies.hpp"
 #include "engine/particles/state.hpp"
+#include "engine/scene/checks.hpp"
+#include "engine/scene/formula.hpp"
+#include "kernels/smoothing.hpp"
 
 namespace sluice {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "engine/base/number_text.hpp"
 #include "engine/base/process_usage.hpp"
+#include "engine/step/phase_timer.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/simulation/simulation.hpp"
+#include "engine/step/energy_balance.hpp"
+#include "engine/step/phase_timer.hpp"
 #include "engine/watch/warning.hpp"
 
 namespace sluice {

@@ -9,6 +9,8 @@
 #include "engine/base/process_usage.hpp"
 #include "engine/base/text_hash.hpp"
 #include "engine/base/version.hpp"
+#include "engine/effects.hpp"
+#include "engine/step/phase_timer.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {

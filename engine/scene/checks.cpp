@@ -11,6 +11,7 @@
 #include "engine/scene/overlap.hpp"
 #include "engine/scene/place.hpp"
 #include "engine/scene/thickness.hpp"
+#include "kernels/smoothing.hpp"
 
 namespace sluice {
 namespace {

@@ -321,9 +321,9 @@ template <int Dim>
 std::shared_ptr<const void> Simulation<Dim>::part_with(const void* column) {
     std::shared_ptr<const void> memory;
     const auto look = [&](const ColumnInfo&, auto& values) {
-        using Column = std::remove_reference_t<decltype(values)>;
+        using Values = std::remove_reference_t<decltype(values)>;
         if (values.empty() || values.data() != column) return;
-        const auto parted = std::make_shared<const Column>(std::move(values));
+        const auto parted = std::make_shared<const Values>(std::move(values));
         values = *parted;
         memory = parted;
     };

@@ -1,6 +1,7 @@
 // The coupling by a moving boundary in whole steps: momentum, energy, threads, precision, frames of reference.
 #include <algorithm>
 
+#include "engine/particles/id_index.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/collision_scenes.hpp"
 #include "tests/neighbor/clouds.hpp"

@@ -1,6 +1,7 @@
 // Which effects a scene calls for, what is allocated for them, and the time step.
 #include "engine/effects.hpp"
 
+#include "engine/particles/id_index.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 

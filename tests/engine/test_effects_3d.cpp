@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "engine/effects.hpp"
+#include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 

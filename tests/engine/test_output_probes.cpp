@@ -3,6 +3,7 @@
 
 #include "engine/geometry/moving_least_squares.hpp"
 #include "engine/output/probes.hpp"
+#include "engine/particles/id_index.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/test_scenes.hpp"
 

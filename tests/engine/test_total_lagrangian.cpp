@@ -1,6 +1,7 @@
 // Solids in their reference configuration: free fall, rotation, vibration, hourglass modes.
 #include <fmt/format.h>
 
+#include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
