@@ -11,7 +11,7 @@
 #include "bench/counters.hpp"
 #include "bench/dam_break.hpp"
 #include "bench/suite.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice::bench {
 namespace {

@@ -1,6 +1,7 @@
 #include "engine/effect_fields.hpp"
 
-#include "engine/particles/particle_set.hpp"
+#include "engine/effects/names/set_id.hpp"
+#include "kernels/columns/column_table.hpp"
 
 namespace sluice {
 namespace {

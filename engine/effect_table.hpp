@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/effects.hpp"
-#include "engine/step/phase_timer.hpp"
+#include "engine/effects/names/step_phase.hpp"
 
 namespace sluice {
 

@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/particles/particle_set.hpp"
+#include "engine/effects/names/set_id.hpp"
 #include "engine/scene/scene.hpp"
+#include "kernels/columns/column_table.hpp"
 
 namespace sluice {
 

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "kernels/choices.hpp"
 #include "neighbor/vec.hpp"
 
 namespace sluice {
@@ -96,8 +97,6 @@ struct QuinticSpline {
         return a2 * a2 - Real(6) * (b2 * b2) + Real(15) * (c2 * c2);
     }
 };
-
-enum class SmoothingFunction { cubic_spline, wendland_c2, wendland_c4, quintic_spline };
 
 /// The smoothing function of a run. All pairs of a loop take the same branch, which the processor foresees: a choice at
 /// run time costs a loop some percent (bench: passes), and spares compiling every loop once per function.

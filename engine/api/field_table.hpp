@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/include/sluice/field.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice::api {
 

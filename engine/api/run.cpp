@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/checkpoint/resume.hpp"
+#include "engine/base/version.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/version.hpp"
-#include "engine/run.hpp"
+#include "engine/run/resume.hpp"
+#include "engine/run/run.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice::api {

@@ -14,7 +14,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/suggestion.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace sluice::api {

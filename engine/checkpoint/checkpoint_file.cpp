@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 
 namespace sluice {
 namespace {

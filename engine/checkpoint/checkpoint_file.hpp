@@ -10,7 +10,7 @@
 #include <string>
 
 #include "engine/checkpoint/checkpoint_label.hpp"
-#include "engine/checkpoint/state_visitors.hpp"
+#include "engine/files/state_visitors.hpp"
 
 namespace sluice {
 

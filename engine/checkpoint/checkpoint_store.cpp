@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "engine/errors.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 
 namespace sluice {
 namespace {

@@ -5,7 +5,7 @@
 #include "engine/command/commands.hpp"
 #include "engine/command/scene_options.hpp"
 #include "engine/command/thread_settings.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/profile/scene_bench.hpp"
 #include "engine/scene/suspicion.hpp"
 #include "neighbor/isa.hpp"

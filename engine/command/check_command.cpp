@@ -9,15 +9,15 @@
 #include <memory>
 #include <optional>
 
+#include "engine/base/number_text.hpp"
+#include "engine/base/text_hash.hpp"
 #include "engine/command/commands.hpp"
 #include "engine/command/cost_table.hpp"
 #include "engine/command/scene_options.hpp"
 #include "engine/command/study_text.hpp"
 #include "engine/command/thread_settings.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/output/probes.hpp"
-#include "engine/output/report.hpp"
-#include "engine/output/summary.hpp"
 #include "engine/scene/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
 #include "engine/view/scene_picture.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/output/progress.hpp"
+#include "engine/base/number_text.hpp"
 
 namespace sluice {
 namespace {

@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "engine/base/version.hpp"
 #include "engine/command/commands.hpp"
 #include "engine/command/manual.hpp"
 #include "engine/command/topics.hpp"
 #include "engine/effect_help.hpp"
 #include "engine/effect_table.hpp"
-#include "engine/output/version.hpp"
 #include "engine/scene/suggestion.hpp"
 #include "engine/scene_help.hpp"
 #include "engine/scene_schema.hpp"

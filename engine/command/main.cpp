@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/version.hpp"
 #include "engine/command/commands.hpp"
-#include "engine/output/version.hpp"
 #include "engine/scene/suggestion.hpp"
 
 namespace {

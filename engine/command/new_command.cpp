@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/command/commands.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/suggestion.hpp"
 #include "engine/scene_schema.hpp"

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/checkpoint/resume.hpp"
+#include "engine/base/version.hpp"
 #include "engine/command/commands.hpp"
 #include "engine/command/scene_options.hpp"
 #include "engine/command/thread_settings.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/version.hpp"
 #include "engine/profile/trace_recorder.hpp"
-#include "engine/run.hpp"
+#include "engine/run/resume.hpp"
+#include "engine/run/run.hpp"
 #include "engine/scene/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
 #include "neighbor/isa.hpp"

@@ -8,7 +8,7 @@
 #include "engine/command/scene_options.hpp"
 #include "engine/command/study_text.hpp"
 #include "engine/command/thread_settings.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/study/advice.hpp"
 #include "engine/study/report_page.hpp"
 #include "engine/study/run_study.hpp"

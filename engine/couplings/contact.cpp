@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/checkpoint/state_visitors.hpp"
+#include "engine/files/state_visitors.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/checkpoint/state_visitors.hpp"
+#include "engine/files/state_visitors.hpp"
 
 namespace sluice {
 

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <system_error>
 
+#include "engine/base/version.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/atomic_file.hpp"
-#include "engine/output/hdf5_file.hpp"
-#include "engine/output/version.hpp"
+#include "engine/files/atomic_file.hpp"
+#include "engine/files/hdf5_file.hpp"
 
 namespace sluice {
 namespace {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/output/background_writer.hpp"
+#include "engine/files/background_writer.hpp"
 #include "engine/output/frame_table.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice {
 

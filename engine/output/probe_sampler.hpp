@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice {
 

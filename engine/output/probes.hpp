@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/output/atomic_file.hpp"
-#include "engine/output/background_writer.hpp"
+#include "engine/files/atomic_file.hpp"
+#include "engine/files/background_writer.hpp"
 #include "engine/output/probe_sampler.hpp"
 
 namespace sluice {

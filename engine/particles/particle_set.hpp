@@ -2,38 +2,10 @@
 // columns that the scene's effects need, the others stay empty.
 #pragma once
 
-#include <array>
-#include <string_view>
-
+#include "engine/effects/names/set_id.hpp"
 #include "engine/particles/ghosts.hpp"
 
 namespace sluice {
-
-/// The sets that a simulation has; those that a scene lacks are empty.
-enum class SetId {
-    fluid,
-    solid,
-    wall,      ///< layers of particles of rigid walls, which may move; their pressure is taken from the fluid
-    elements,  ///< of the interface between fluid and solids: a closed surface around each solid body (surface.hpp)
-    boundary   ///< the solids' particles that fluid can come near, as its moving boundary: copies of what it sees
-};
-inline constexpr std::array all_sets{SetId::fluid, SetId::solid, SetId::wall, SetId::elements, SetId::boundary};
-
-constexpr std::string_view name_of(SetId set) {
-    switch (set) {
-        case SetId::fluid:
-            return "fluid";
-        case SetId::solid:
-            return "solid";
-        case SetId::wall:
-            return "wall";
-        case SetId::elements:
-            return "elements";
-        case SetId::boundary:
-            return "boundary";
-    }
-    return {};
-}
 
 /// Particles beyond `owned` are ghosts, which follow their parents when a column is refreshed.
 template <int Dim>

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/checkpoint/state_visitors.hpp"
-#include "engine/parts/balances.hpp"
+#include "engine/files/state_visitors.hpp"
 #include "engine/scene/light_solid.hpp"
+#include "engine/step/balances.hpp"
 #include "neighbor/parallel.hpp"
 
 namespace sluice {

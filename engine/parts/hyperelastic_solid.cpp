@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/parts/balances.hpp"
 #include "engine/parts/largest_eigenvalue.hpp"
 #include "engine/parts/resting.hpp"
 #include "engine/parts/solid_motion.hpp"
+#include "engine/step/balances.hpp"
 #include "engine/step/coupling.hpp"
 
 namespace sluice {

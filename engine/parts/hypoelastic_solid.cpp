@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/checkpoint/state_visitors.hpp"
-#include "engine/parts/balances.hpp"
+#include "engine/files/state_visitors.hpp"
 #include "engine/parts/resting.hpp"
 #include "engine/parts/solid_motion.hpp"
+#include "engine/step/balances.hpp"
 #include "engine/step/coupling.hpp"
 #include "kernels/materials/jaumann.hpp"
 #include "kernels/materials/tensile_correction.hpp"

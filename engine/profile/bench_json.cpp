@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "engine/output/version.hpp"
+#include "engine/base/version.hpp"
 #include "engine/profile/profile_text.hpp"
 #include "engine/profile/scene_bench.hpp"
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/output/progress.hpp"
-#include "engine/output/report.hpp"
+#include "engine/base/number_text.hpp"
 #include "engine/profile/profile_text.hpp"
 #include "engine/profile/scene_bench.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/output/progress.hpp"
+#include "engine/base/number_text.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {

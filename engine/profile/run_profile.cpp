@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/profile/profile_text.hpp"
 
 namespace sluice {

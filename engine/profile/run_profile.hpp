@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/profile/step_profile.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/watch/state_check.hpp"
 #include "neighbor/thread_count.hpp"
 

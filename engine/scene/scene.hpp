@@ -10,9 +10,7 @@
 #include "engine/errors.hpp"
 #include "engine/geometry/shape.hpp"
 #include "engine/scene/reference.hpp"
-#include "kernels/passes/density_passes.hpp"
-#include "kernels/passes/fluid_passes.hpp"
-#include "kernels/smoothing.hpp"
+#include "kernels/choices.hpp"
 
 namespace sluice {
 

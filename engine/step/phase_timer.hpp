@@ -3,38 +3,11 @@
 
 #include <array>
 #include <chrono>
-#include <string_view>
 
+#include "engine/effects/names/step_phase.hpp"
 #include "neighbor/loop_watch.hpp"
 
 namespace sluice {
-
-enum class StepPhase {
-    search,
-    fluid_pass,
-    filter_pass,
-    density_pass,
-    shift_pass,
-    solid_pass,
-    gradient_pass,
-    contact_pass,
-    interface_pass,
-    wall_pass,
-    update,
-    output
-};
-inline constexpr std::array<std::string_view, 12> step_phase_names{"neighbour search",
-                                                                   "fluid momentum",
-                                                                   "velocity filter",
-                                                                   "fluid density",
-                                                                   "particle shifting",
-                                                                   "solid momentum",
-                                                                   "solid gradient and stress",
-                                                                   "contact",
-                                                                   "interface",
-                                                                   "walls and images",
-                                                                   "update",
-                                                                   "output"};
 
 /// A phase, for whoever watches the loops.
 inline const Section& section_of(StepPhase phase) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/particles/particle_set.hpp"
+#include "engine/effects/names/set_id.hpp"
 
 namespace sluice {
 

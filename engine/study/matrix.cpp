@@ -9,7 +9,7 @@
 #include <optional>
 #include <sstream>
 
-#include "engine/output/summary.hpp"
+#include "engine/base/text_hash.hpp"
 
 namespace sluice {
 namespace {

@@ -11,8 +11,8 @@
 #include <map>
 #include <numeric>
 
-#include "engine/output/summary.hpp"
-#include "engine/output/version.hpp"
+#include "engine/base/text_hash.hpp"
+#include "engine/base/version.hpp"
 #include "engine/study/matrix.hpp"
 #include "neighbor/isa.hpp"
 

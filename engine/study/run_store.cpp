@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "engine/output/atomic_file.hpp"
-#include "engine/output/summary.hpp"
+#include "engine/base/text_hash.hpp"
+#include "engine/files/atomic_file.hpp"
 
 namespace sluice {
 namespace {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "engine/output/atomic_file.hpp"
-#include "engine/stop_request.hpp"
+#include "engine/base/stop_request.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/study/child_run.hpp"
 #include "engine/study/evaluate.hpp"
 #include "engine/study/report_page.hpp"

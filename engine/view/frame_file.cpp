@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/errors.hpp"
-#include "engine/output/hdf5_reader.hpp"
+#include "engine/files/hdf5_reader.hpp"
 #include "engine/view/run_json.hpp"
 
 namespace sluice {

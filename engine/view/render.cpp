@@ -7,7 +7,7 @@
 #include <exception>
 
 #include "engine/errors.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/view/color_map.hpp"
 #include "engine/view/field.hpp"
 

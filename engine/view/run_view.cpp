@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/output/version.hpp"
+#include "engine/base/version.hpp"
 #include "engine/view/color_map.hpp"
 
 namespace sluice {

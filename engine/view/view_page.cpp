@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "engine/errors.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/view/run_view.hpp"
 
 namespace sluice {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice {
 

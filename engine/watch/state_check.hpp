@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 
 namespace sluice {
 

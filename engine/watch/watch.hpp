@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/watch/warning.hpp"
 
 namespace sluice {

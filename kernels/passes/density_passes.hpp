@@ -3,12 +3,10 @@
 
 #include <cstdint>
 
+#include "kernels/choices.hpp"
 #include "kernels/pairs/block_loop.hpp"
 
 namespace sluice {
-
-/// Which differences of density are no noise and stay (kernels/terms/density_diffusion.hpp).
-enum class DensityDiffusion { none, molteni_colagrossi, fourtakas, antuono };
 
 template <int Dim>
 struct DiffusionTerms {

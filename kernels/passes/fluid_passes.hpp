@@ -3,12 +3,10 @@
 
 #include <cstdint>
 
+#include "kernels/choices.hpp"
 #include "kernels/pairs/block_loop.hpp"
 
 namespace sluice {
-
-/// Artificial, or one of the laminar ones of kernels/terms/laminar_viscosity.hpp.
-enum class Viscosity { none, artificial, morris, monaghan_gingold };
 
 /// Constants of the fluid's terms. A viscosity of zero takes the viscous term out of the momentum loop.
 struct FluidTerms {

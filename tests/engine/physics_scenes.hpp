@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "tests/engine/scene_text.hpp"
 
 namespace sluice {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/output/background_writer.hpp"
+#include "engine/files/background_writer.hpp"
 #include "tests/catch.hpp"
 
 namespace sluice {

@@ -4,10 +4,10 @@
 #include <random>
 
 #include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/checkpoint/resume.hpp"
-#include "engine/checkpoint/text_difference.hpp"
-#include "engine/output/atomic_file.hpp"
-#include "engine/output/schedule.hpp"
+#include "engine/files/atomic_file.hpp"
+#include "engine/run/resume.hpp"
+#include "engine/run/schedule.hpp"
+#include "engine/run/text_difference.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"

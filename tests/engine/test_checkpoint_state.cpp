@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "engine/checkpoint/checkpoint_file.hpp"
-#include "engine/step/simulation.hpp"
 #include "engine/particles/particle_set.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"
 #include "tests/engine/temporary_folder.hpp"

@@ -1,6 +1,6 @@
 // What a scene and its effects cost. How long things take is for benchmarks to say; here: every effect is accounted
 // for, in its place, and what goes wrong is told.
-#include "engine/cost.hpp"
+#include "engine/profile/cost.hpp"
 
 #include <omp.h>
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/effect_table.hpp"
-#include "engine/output/summary.hpp"
+#include "engine/run/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/effect_scenes.hpp"
 

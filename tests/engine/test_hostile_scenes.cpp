@@ -4,7 +4,7 @@
 #include "engine/output/frame_table.hpp"
 #include "engine/scene/excerpt.hpp"
 #include "engine/scene/key_parts.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "engine/errors.hpp"
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/temporary_folder.hpp"
 

@@ -1,7 +1,9 @@
-#include "engine/output/progress.hpp"
-#include "engine/output/report.hpp"
-#include "engine/output/schedule.hpp"
-#include "engine/output/summary.hpp"
+#include "engine/base/number_text.hpp"
+#include "engine/base/text_hash.hpp"
+#include "engine/run/progress.hpp"
+#include "engine/run/report.hpp"
+#include "engine/run/schedule.hpp"
+#include "engine/run/summary.hpp"
 #include "tests/catch.hpp"
 
 namespace sluice {

@@ -5,7 +5,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/scene/number_table.hpp"
 #include "engine/scene/probe_columns.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/study/truth.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"

@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/checkpoint/resume.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/atomic_file.hpp"
-#include "engine/output/folder_lock.hpp"
-#include "engine/run.hpp"
+#include "engine/files/atomic_file.hpp"
+#include "engine/files/folder_lock.hpp"
+#include "engine/run/resume.hpp"
+#include "engine/run/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"
 #include "tests/engine/temporary_folder.hpp"

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "engine/run.hpp"
+#include "engine/run/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/engine/test_scenes.hpp"

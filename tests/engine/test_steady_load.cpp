@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/step/simulation.hpp"
 #include "engine/parts/steady_load.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "engine/checkpoint/checkpoint_store.hpp"
 #include "engine/errors.hpp"
-#include "engine/run.hpp"
+#include "engine/run/run.hpp"
 #include "engine/watch/inside_walls.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/catch.hpp"

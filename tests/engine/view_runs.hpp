@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/output/atomic_file.hpp"
+#include "engine/files/atomic_file.hpp"
 #include "engine/output/frames.hpp"
 
 namespace sluice {

@@ -18,7 +18,7 @@
 
 #include "engine/checkpoint/checkpoint_file.hpp"
 #include "engine/errors.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/fuzz/demand.hpp"

@@ -7,7 +7,7 @@
 #include "engine/errors.hpp"
 #include "engine/geometry/packing.hpp"
 #include "engine/output/probes.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/engine/lattice_sites.hpp"
 #include "tests/fuzz/demand.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/checkpoint/text_difference.hpp"
+#include "engine/run/text_difference.hpp"
 #include "engine/scene/formula.hpp"
 #include "engine/scene/number_table.hpp"
 #include "engine/study/study_file.hpp"

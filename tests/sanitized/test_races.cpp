@@ -6,7 +6,7 @@
 #include "engine/output/frame_table.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/profile/step_profile.hpp"
-#include "engine/step/simulation.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"

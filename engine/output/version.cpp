@@ -1,7 +1,0 @@
-#include "engine/output/version.hpp"
-
-namespace sluice {
-
-std::string_view program_version() { return SLUICE_VERSION; }
-
-}  // namespace sluice

@@ -1,0 +1,15 @@
+// Choices among formulas, as a scene states them; without the formulas, which few who pass a choice on need.
+#pragma once
+
+namespace sluice {
+
+/// W (kernels/smoothing.hpp).
+enum class SmoothingFunction { cubic_spline, wendland_c2, wendland_c4, quintic_spline };
+
+/// Artificial, or one of the laminar ones of kernels/terms/laminar_viscosity.hpp.
+enum class Viscosity { none, artificial, morris, monaghan_gingold };
+
+/// Which differences of density are no noise and stay (kernels/terms/density_diffusion.hpp).
+enum class DensityDiffusion { none, molteni_colagrossi, fourtakas, antuono };
+
+}  // namespace sluice
