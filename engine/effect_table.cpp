@@ -30,6 +30,11 @@ Decision by_constant(const Decision& medium, std::string_view symbol, double val
     return {value != off_value ? Verdict::used : Verdict::impossible, fmt::format("{} = {}", symbol, value)};
 }
 
+Decision several(const std::vector<std::string>& materials, std::string_view otherwise) {
+    if (materials.size() < 2) return {Verdict::impossible, std::string(otherwise)};
+    return {Verdict::required, fmt::format("materials: {}", fmt::join(materials, ", "))};
+}
+
 bool is_switched_off(const Scene& s, const std::string& key) {
     const auto asked = s.switches.find(key);
     return asked != s.switches.end() && asked->second == Switch::off;
@@ -61,7 +66,7 @@ Decision meeting_of_solids(const Scene&, const SceneContent& c) {
         if (walls.empty()) return {Verdict::impossible, "no wall, and the solids are hypoelastic"};
         return {Verdict::unused, "the solids are hypoelastic; they could meet walls: " + walls};
     }
-    if (c.total_lagrangian_bodies < 2 && walls.empty()) return {Verdict::impossible, "one solid body and no wall"};
+    if (c.total_lagrangian_bodies < 2 && !c.hypoelastic && walls.empty()) return {Verdict::impossible, "one solid body and no wall"};
     if (walls.empty()) return {Verdict::used, fmt::format("solid bodies: {}", c.solids)};
     return {Verdict::used, fmt::format("solid bodies: {}; walls: {}", c.solids, walls)};
 }
@@ -182,6 +187,16 @@ const std::array<EffectRow, effect_count> table{{
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_fluid(c), "theta", s.method.fluid.velocity_filter, 1);
      }},
+    {{Effect::several_fluids, "several_fluids", "fluid: pairs across different fluids",
+      "Colagrossi2003; Hu2006; kernels/terms/multiphase.hpp",
+      "fluid.rest_density fluid.sound_speed fluid.excess_density",
+      "on if fluid bodies have different materials; cannot be left out then",
+      "a_i = −Σ_j m_j (p_i + p_j)/(ρ_i ρ_j) ∇_i W_ij;  dρ_i/dt = ρ_i Σ_j m_j/ρ_j v_ij·∇_i W_ij",
+      "fluid momentum/fluid momentum, fluid density/fluid continuity"},
+     [](const Scene&, const SceneContent& c) {
+         if (!c.fluid) return needs_fluid(c);
+         return several(c.fluid_materials, "one fluid");
+     }},
     {{Effect::solid_stress, "solid_stress", "solid: continuity, hypoelastic stress with Jaumann rate",
       "Antoci2007 eqs. 4, 5, 8, 11, 15", hypoelastic_columns,
       "on if a solid has the model \"hypoelastic\"; cannot be left out then",
@@ -225,6 +240,15 @@ const std::array<EffectRow, effect_count> table{{
       "v_i += (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij,  V_j = m_j/ρ̄_ij", "velocity filter/*"},
      [](const Scene& s, const SceneContent& c) {
          return by_constant(needs_hypoelastic(c), "theta", s.method.solid.velocity_filter, 1);
+     }},
+    {{Effect::several_solids, "several_solids", "solid: pairs across different solids",
+      "kernels/terms/multiphase.hpp", "solid.rest_density solid.sound_speed",
+      "on if solid bodies have different materials; cannot be left out then",
+      "a_i = Σ_j m_j (σ_i + σ_j)/(ρ_i ρ_j) ∇_i W_ij;  dρ_i/dt = ρ_i Σ_j m_j/ρ_j v_ij·∇_i W_ij;  viscosity by the mean c0",
+      "solid momentum/solid momentum, solid momentum/elastic momentum, solid gradient and stress/velocity gradient"},
+     [](const Scene&, const SceneContent& c) {
+         if (!c.solid) return needs_solid(c, true, "");
+         return several(c.solid_materials, "one solid material");
      }},
     {{Effect::contact, "contact", "solid: contact with other solids and with walls, without friction",
       "kernels/passes/contact_passes.hpp", wall_columns,
@@ -382,6 +406,9 @@ SceneContent content_of(const Scene& scene) {
             c.total_lagrangian_bodies += in_rates ? 0 : 1;
         }
         add_name(is_fluid ? c.fluids : c.solids, body.name);
+        auto& materials = is_fluid ? c.fluid_materials : c.solid_materials;
+        const std::string& material = scene.materials[body.material].name;
+        if (std::find(materials.begin(), materials.end(), material) == materials.end()) materials.push_back(material);
         if (!is_fluid && !is_held(body)) c.movable = true;
         if (body.clamp) c.clamp = true, add_name(c.clamps, body.name);
         smallest = std::min(smallest, body.spacing);

@@ -18,6 +18,8 @@ struct SceneContent {
     bool movable = false;  ///< a solid body that is not clamped altogether
     int total_lagrangian_bodies = 0;
     bool no_slip = false, viscous = false, moving_wall = false, driven = false, many_spacings = false;
+    /// Materials of the bodies, each once.
+    std::vector<std::string> fluid_materials, solid_materials;
     std::string fluids, solids, clamps, mirrors, fixed_walls, moving_walls, no_slip_walls,
         periodic_axes;  ///< names, for messages
 };

@@ -23,12 +23,14 @@ enum class Effect {
     density_gradient,
     particle_shifting,
     velocity_filter,
+    several_fluids,
     solid_stress,
     total_lagrangian,
     hourglass_control,
     solid_viscosity,
     artificial_stress,
     solid_filter,
+    several_solids,
     contact,
     interface_force,
     moving_boundary,
@@ -47,7 +49,7 @@ enum class Effect {
     solid_substeps,
     steady_load,
 };
-inline constexpr std::size_t effect_count = 32;
+inline constexpr std::size_t effect_count = 34;
 
 /// One row of the table.
 struct EffectInfo {

@@ -35,7 +35,7 @@ class CellGrid {
 
     /// Particle indices, cell by cell in Morton order; within a cell ascending.
     const Array<Index>& order() const { return order_; }
-    /// For who sorts further within the cells.
+    /// Mutable, so that ClusterGrid can sort within each cell.
     Array<Index>& order() { return order_; }
     const Array<Cell<Dim>>& cells() const { return cells_; }
     double cell_size() const { return cell_size_; }

@@ -49,6 +49,8 @@ template <int Dim>
 void ClusterGrid<Dim>::build(const VectorField<Dim>& position, std::size_t first, std::size_t last, double cell_size,
                              std::span<const double> reach) {
     cells_.build(position, first, last, cell_size, reach);
+    size_ = last - first;
+    sorted_ = false;
     const auto& cells = cells_.cells();
     cell_block_.resize(cells.size() + 1);
     cell_cluster_.resize(cells.size() + 1);
@@ -115,8 +117,9 @@ void ClusterGrid<Dim>::measure(const VectorField<Dim>& position, std::span<const
 
 template <int Dim>
 void ClusterGrid<Dim>::particles_were_sorted(std::size_t first) {
-    Array<Index>& order = cells_.order();
-    parallel_for(order.size(), [&](std::size_t t) { order[t] = static_cast<Index>(first + t); });
+    sorted_ = true;
+    first_ = static_cast<Index>(first);
+    Array<Index>().swap(cells_.order());
 }
 
 template <int Dim>

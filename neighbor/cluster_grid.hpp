@@ -47,17 +47,24 @@ class ClusterGrid {
     void build(const VectorField<Dim>& position, std::size_t first, std::size_t last, double cell_size,
                std::span<const double> reach = {});
 
-    /// Particle indices: cell by cell in Morton order, block by block, cluster by cluster.
+    /// Particle indices: cell by cell in Morton order, block by block, cluster by cluster. Gone once particles stand in
+    /// that order themselves.
     const Array<Index>& order() const { return cells_.order(); }
-    std::size_t size() const { return order().size(); }
+    std::size_t size() const { return size_; }
+    /// The particle at a place of the order.
+    Index particle(std::size_t place) const {
+        return sorted_ ? first_ + static_cast<Index>(place) : order()[place];
+    }
 
-    /// To be told when the particles have been brought into the grid's order: order() is then first, first + 1, …
+    /// To be told when the particles have been brought into the grid's order: it is then first, first + 1, …, and needs
+    /// no memory.
     void particles_were_sorted(std::size_t first);
+    bool is_sorted() const { return sorted_; }
 
     std::size_t blocks() const { return block_.size(); }
     /// Clusters of a block.
     Range clusters(std::size_t block) const { return block_[block]; }
-    /// Particles of a cluster, as a range of order().
+    /// Particles of a cluster, as a range of the order.
     Range particles(std::size_t cluster) const { return {cluster_start_[cluster], cluster_start_[cluster + 1]}; }
     const Extent<Dim>& block_extent(std::size_t block) const { return block_extent_[block]; }
     const Extent<Dim>& cluster_extent(std::size_t cluster) const { return cluster_extent_[cluster]; }
@@ -74,7 +81,7 @@ class ClusterGrid {
     void visit_state(Visit&& visit) {
         visit("cells", cells_), visit("cell_block", cell_block_), visit("cell_cluster", cell_cluster_);
         visit("block", block_), visit("cluster_start", cluster_start_), visit("cluster_extent", cluster_extent_);
-        visit("block_extent", block_extent_);
+        visit("block_extent", block_extent_), visit("size", size_), visit("sorted", sorted_), visit("first", first_);
     }
 
   private:
@@ -82,17 +89,20 @@ class ClusterGrid {
     void measure(const VectorField<Dim>& position, std::span<const double> reach);
 
     CellGrid<Dim> cells_;
+    std::uint64_t size_ = 0;
+    bool sorted_ = false;
+    Index first_ = 0;                ///< particle, if they are sorted
     Array<Index> cell_block_{0};     ///< first block of each cell
     Array<Index> cell_cluster_{0};   ///< first cluster of each cell
     Array<Range> block_;             ///< clusters
-    Array<Index> cluster_start_{0};  ///< in order()
+    Array<Index> cluster_start_{0};  ///< in the order
     Array<Extent<Dim>> cluster_extent_, block_extent_;
 };
 
 template <int Dim>
 template <class Visit>
 void ClusterGrid<Dim>::blocks_near(const Box<Dim>& box, double cut, double scale, Visit&& visit) const {
-    if (order().empty()) return;
+    if (size() == 0) return;
     cells_.cells_near(box, cut, scale, [&](std::size_t cell) {
         for (Index b = cell_block_[cell]; b < cell_block_[cell + 1]; ++b) {
             const double limit = cut + scale * block_extent_[b].max_reach;

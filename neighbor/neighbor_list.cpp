@@ -16,10 +16,11 @@ namespace {
 template <int Dim>
 ListedCluster listed(const ClusterGrid<Dim>& grid, std::size_t cluster, Array<Index>& index) {
     const Range t = grid.particles(cluster);
+    const auto size = static_cast<std::uint8_t>(t.size());
+    if (grid.is_sorted()) return {grid.particle(t.begin), size, true};
     const Index* member = grid.order().data() + t.begin;
     bool in_sequence = true;
     for (Index l = 1; l < t.size(); ++l) in_sequence = in_sequence && member[l] == member[0] + l;
-    const auto size = static_cast<std::uint8_t>(t.size());
     if (in_sequence) return {member[0], size, true};
     const auto first = static_cast<Index>(index.size());
     index.insert(index.end(), member, member + t.size());

@@ -13,8 +13,13 @@ BoundaryCoupling<Dim>::BoundaryCoupling(StepContext<Dim>& context)
       of_fluid_(list(SetId::fluid, SetId::boundary, Targets::own)),
       ghosts_of_fluid_(list(SetId::fluid, SetId::boundary, Targets::ghosts)),
       of_boundary_(list(SetId::boundary, SetId::fluid, Targets::own)),
-      ghosts_of_boundary_(list(SetId::boundary, SetId::fluid, Targets::ghosts)),
-      relaxation_(light_solid(context.scene).relaxation) {
+      ghosts_of_boundary_(list(SetId::boundary, SetId::fluid, Targets::ghosts)) {
+    for (const Body& body : c_.scene.bodies) {
+        const Material& material = c_.scene.materials[body.material];
+        const bool solid = material.kind == MaterialKind::solid;
+        relaxation_.push_back(solid ? light_solid(c_.scene, material).relaxation : 1);
+        relaxes_ = relaxes_ || relaxation_.back() < 1;
+    }
     c_.neighbors.place_before(SetId::boundary, [this] {
         auto& boundary = c_.state.boundary;
         const auto& index_of_id = c_.neighbors.solid_index_of_id();
@@ -106,10 +111,11 @@ void BoundaryCoupling<Dim>::follow_acceleration() {
     auto& boundary = c_.state.boundary;
     const auto& solid = c_.state.solid;
     const auto& index_of_id = c_.neighbors.solid_index_of_id();
-    const bool follows = relaxation_ < 1;
+    const bool relaxes = relaxes_;
     parallel_for(boundary.owned, [&](std::size_t i) {
         const Vec<Dim> a_s = solid.mean_acceleration[index_of_id[boundary.solid_id[i]]], last = boundary.mean_acceleration[i];
-        boundary.mean_acceleration.set(i, follows ? last + relaxation_ * (a_s - last) : a_s);
+        const double beta = relaxes ? relaxation_[boundary.body[i]] : 1;
+        boundary.mean_acceleration.set(i, beta < 1 ? last + beta * (a_s - last) : a_s);
     });
 }
 

@@ -39,7 +39,8 @@ class BoundaryCoupling final : public Coupling<Dim> {
     StepContext<Dim>& c_;
     const NeighborList &of_fluid_, &ghosts_of_fluid_;        ///< boundary near the fluid's particles
     const NeighborList &of_boundary_, &ghosts_of_boundary_;  ///< fluid near the boundary's
-    double relaxation_;  ///< β of engine/scene/light_solid.hpp
+    std::vector<double> relaxation_;  ///< β of engine/scene/light_solid.hpp, of each of the scene's bodies
+    bool relaxes_ = false;            ///< β < 1 for one of them
     BlockTotals<Dim> block_totals_;
     InterfaceBalance balance_;
 };

@@ -31,7 +31,6 @@ template <int Dim>
 SolidContact<Dim>::SolidContact(StepContext<Dim>& context)
     : c_(context), search_(context.state, context.neighbors, context.method.smoothing.support) {
     flat_ = flat_contact<Dim>(c_.method.smoothing, c_.scene.method.smoothing_length);
-    stiffness_ = contact_stiffness * c_.state.solid_materials.front().law.wave_modulus();
 }
 
 template <int Dim>
@@ -43,18 +42,21 @@ template <int Dim>
 void SolidContact<Dim>::set_thresholds() {
     auto& solid = c_.state.solid;
     search_.update();
-    sum_among_bodies();
-    sum_at_walls();
-    const auto raise = [&](const Particles& p, ScalarField& threshold) {
+    const auto raise = [&](Particles& p, ScalarField& threshold) {
         threshold.assign(solid.owned, flat_.density);
         for (std::size_t n = 0; n < p.size(); ++n) {
             double& t = threshold[solid.id[p.solid[n]]];
             t = std::max(t, p.density[n]);
         }
+        clear(p.force_density);  // it was ∇σ
     };
-    raise(search_.among_bodies, body_threshold_);
+    body_threshold_.resize(search_.bodies.size());
+    for (std::size_t k = 0; k < search_.bodies.size(); ++k) {
+        sum_among_bodies(search_.bodies[k]);
+        raise(search_.bodies[k].particles, body_threshold_[k]);
+    }
+    sum_at_walls();
     raise(search_.at_walls, wall_threshold_);
-    for (Particles* p : {&search_.among_bodies, &search_.at_walls}) clear(p->force_density);  // it was ∇σ
     for (const GhostPlane<Dim>& plane : c_.state.ghost_planes) {
         plane_threshold_.emplace_back();
         if (!plane.is_mirror()) continue;
@@ -75,7 +77,7 @@ void SolidContact<Dim>::push_solid(const PartRange& part) {
         search_.update();
     }
     const auto scope = c_.timer.measure(StepPhase::contact_pass);
-    push_among_bodies(part);
+    for (std::size_t k = 0; k < search_.bodies.size(); ++k) push_among_bodies(k, part);
     push_at_walls(part);
     push_at_planes(part);
 }
@@ -91,10 +93,10 @@ void SolidContact<Dim>::refresh(Particles& p) {
 }
 
 template <int Dim>
-void SolidContact<Dim>::sum_among_bodies() {
-    Particles& p = search_.among_bodies;
+void SolidContact<Dim>::sum_among_bodies(Bodies& contact) {
+    Particles& p = contact.particles;
     refresh(p);
-    for (const NeighborList& list : search_.body_lists)
+    for (const NeighborList& list : contact.lists)
         c_.pairs += contact_sums<Dim>(view_of(p), view_of(p), list, c_.method, p.density, p.force_density);
 }
 
@@ -108,22 +110,31 @@ void SolidContact<Dim>::sum_at_walls() {
 }
 
 template <int Dim>
-bool SolidContact<Dim>::set_pressure(Particles& p, const ScalarField& threshold) {
+template <class Stiffness>
+bool SolidContact<Dim>::set_pressure(Particles& p, const ScalarField& threshold, Stiffness&& stiffness) {
     const auto& id = c_.state.solid.id;
     return nonnegative_max(p.size(), [&](std::size_t n) {
-               return p.pressure[n] = stiffness_ * std::max(p.density[n] - threshold[id[p.solid[n]]], 0.0);
+               const Index i = p.solid[n];
+               return p.pressure[n] = stiffness(i) * std::max(p.density[n] - threshold[id[i]], 0.0);
            }) != 0;  // NaN too
 }
 
 template <int Dim>
-void SolidContact<Dim>::push_among_bodies(const PartRange& part) {
-    Particles& p = search_.among_bodies;
-    if (search_.body_lists.empty()) return;
-    sum_among_bodies();
-    const bool touching = set_pressure(p, body_threshold_);
+double SolidContact<Dim>::wall_stiffness(std::size_t i) const {
+    return contact_stiffness * c_.state.solid_materials.of_body(c_.state.solid.body[i]).law.wave_modulus();
+}
+
+template <int Dim>
+void SolidContact<Dim>::push_among_bodies(std::size_t number, const PartRange& part) {
+    Bodies& contact = search_.bodies[number];
+    Particles& p = contact.particles;
+    if (contact.lists.empty()) return;
+    sum_among_bodies(contact);
+    const double stiffness = contact_stiffness * contact.modulus;
+    const bool touching = set_pressure(p, body_threshold_[number], [stiffness](Index) { return stiffness; });
     clear(p.force_density);
     if (!touching) return;
-    for (const NeighborList& list : search_.body_lists)
+    for (const NeighborList& list : contact.lists)
         c_.pairs += contact_force<Dim>(view_of(p), view_of(p), list, c_.method, p.force_density);
     accelerate(p, part);
 }
@@ -133,7 +144,7 @@ void SolidContact<Dim>::push_at_walls(const PartRange& part) {
     Particles& p = search_.at_walls;
     if (search_.wall_list.blocks() == 0) return;
     sum_at_walls();
-    set_pressure(p, wall_threshold_);
+    set_pressure(p, wall_threshold_, [this](Index i) { return wall_stiffness(i); });
     parallel_for(p.size(), [&](std::size_t n) { p.force_density.set(n, -2 * p.pressure[n] * p.force_density[n]); });
     accelerate(p, part);
 }
@@ -162,7 +173,7 @@ double SolidContact<Dim>::plane_stiffness(std::size_t i) const {
     const double volume = solid.mass[i] / c_.state.solid_materials.of_body(solid.body[i]).eos.density;
     const double spacing = solid.smoothing_length[i] / c_.scene.method.smoothing_length;
     const double slope = flat_.slope / spacing;
-    return 2 * stiffness_ * volume * slope * slope;
+    return 2 * wall_stiffness(i) * volume * slope * slope;
 }
 
 template <int Dim>
@@ -182,11 +193,22 @@ void SolidContact<Dim>::push_at_planes(const PartRange& part) {
 
 template <int Dim>
 double SolidContact<Dim>::energy() const {
-    const auto of = [&](const Particles& p) {
-        return ordered_sum<double>(p.size(),
-                                   [&](std::size_t n) { return p.volume[n] * p.pressure[n] * p.pressure[n]; });
-    };
-    double sum = of(search_.among_bodies) / (2 * stiffness_) + of(search_.at_walls) / stiffness_;
+    double sum = 0;
+    for (const Bodies& contact : search_.bodies) {
+        const Particles& p = contact.particles;
+        sum += ordered_sum<double>(
+                   p.size(), [&](std::size_t n) { return p.volume[n] * p.pressure[n] * p.pressure[n]; }) /
+               (2 * contact_stiffness * contact.modulus);
+    }
+    const Particles& p = search_.at_walls;
+    const MaterialList& materials = c_.state.solid_materials;
+    const auto at_wall = [&](std::size_t n) { return p.volume[n] * p.pressure[n] * p.pressure[n]; };
+    const auto stiffness = [](const MaterialConstants& m) { return contact_stiffness * m.law.wave_modulus(); };
+    if (materials.uniform())
+        sum += ordered_sum<double>(p.size(), at_wall) / stiffness(materials.front());
+    else
+        sum += ordered_sum<double>(
+            p.size(), [&](std::size_t n) { return at_wall(n) / stiffness(materials.of_body(p.body[n])); });
     const std::size_t owned = c_.state.solid.owned;  // all: they may have changed their places in memory since
     for (std::size_t p = 0; p < plane_threshold_.size(); ++p)
         sum += ordered_sum<double>(owned, [&](std::size_t i) {
@@ -200,9 +222,12 @@ template <int Dim>
 Vec<Dim> SolidContact<Dim>::contact_force_on(std::size_t body) const {
     const auto& solid = c_.state.solid;
     Vec<Dim> sum;
-    for (const Particles* p : {&search_.among_bodies, &search_.at_walls})
-        for (std::size_t n = 0; n < p->size(); ++n)
-            if (p->body[n] == body) sum += p->volume[n] * p->force_density[n];
+    const auto add = [&](const Particles& p) {
+        for (std::size_t n = 0; n < p.size(); ++n)
+            if (p.body[n] == body) sum += p.volume[n] * p.force_density[n];
+    };
+    for (const Bodies& contact : search_.bodies) add(contact.particles);
+    add(search_.at_walls);
     for (std::size_t p = 0; p < plane_threshold_.size(); ++p)
         for (std::size_t i = 0; i < solid.owned; ++i)
             if (solid.body[i] == body) sum += plane_stiffness(i) * depth(p, i) * c_.state.ghost_planes[p].normal;
@@ -211,7 +236,8 @@ Vec<Dim> SolidContact<Dim>::contact_force_on(std::size_t body) const {
 
 template <int Dim>
 std::size_t SolidContact<Dim>::bytes() const {
-    std::size_t reals = body_threshold_.capacity() + wall_threshold_.capacity();
+    std::size_t reals = wall_threshold_.capacity();
+    for (const ScalarField& threshold : body_threshold_) reals += threshold.capacity();
     for (const ScalarField& z0 : plane_threshold_) reals += z0.capacity();
     return reals * sizeof(double) + search_.bytes();
 }

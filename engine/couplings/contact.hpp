@@ -44,14 +44,19 @@ class SolidContact final : public Coupling<Dim> {
     void set_thresholds();
     /// Copies follow their particles, and have no σ and no force yet.
     void refresh(Particles& p);
-    void sum_among_bodies();
+    using Bodies = BodyContact<Dim>;
+
+    void sum_among_bodies(Bodies& contact);
     void sum_at_walls();
-    void push_among_bodies(const PartRange& part);
+    void push_among_bodies(std::size_t contact, const PartRange& part);
     void push_at_walls(const PartRange& part);
     void push_at_planes(const PartRange& part);
     double energy() const;  ///< [J; J/m in 2D]
-    /// p = k (σ − threshold)₊. Returns whether there is any pressure.
-    bool set_pressure(Particles& p, const ScalarField& threshold);
+    /// p = k (σ − threshold)₊ with k = stiffness(i). Returns whether there is any pressure.
+    template <class Stiffness>
+    bool set_pressure(Particles& p, const ScalarField& threshold, Stiffness&& stiffness);
+    /// k of a solid particle against walls [Pa]
+    double wall_stiffness(std::size_t i) const;
     /// Of the particles in this range.
     void accelerate(const Particles& p, const PartRange& part);
     /// (z_0 − z)₊ of a particle [m]
@@ -62,8 +67,8 @@ class SolidContact final : public Coupling<Dim> {
     StepContext<Dim>& c_;
     ContactSearch<Dim> search_;
     FlatContact flat_;
-    double stiffness_ = 0;                         ///< k [Pa]
-    ScalarField body_threshold_, wall_threshold_;  ///< of σ, by id
+    std::vector<ScalarField> body_threshold_;      ///< of σ for each of the search's contacts, by id
+    ScalarField wall_threshold_;                   ///< of σ, by id
     std::vector<ScalarField> plane_threshold_;     ///< z_0 for each plane, by id [m]
 };
 

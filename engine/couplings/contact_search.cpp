@@ -111,17 +111,35 @@ void ContactSearch<Dim>::sort_into_groups() {
     for (std::size_t i = 0; i < state_.solid.owned; ++i)
         members_[static_cast<std::size_t>(state_.solid_group[state_.solid.body[i]])].push_back(static_cast<Index>(i));
     std::erase_if(members_, [](const Array<Index>& m) { return m.empty(); });
+    if (bodies.empty()) find_moduli();
 }
 
 template <int Dim>
-bool ContactSearch<Dim>::select(const Array<Index>& members, const std::vector<Box<Dim>>& boxes) {
-    const std::size_t before = among_bodies.size();
+void ContactSearch<Dim>::find_moduli() {
+    for (const Array<Index>& members : members_) {
+        modulus_.push_back(std::numeric_limits<double>::infinity());
+        for (const Index i : members)
+            modulus_.back() = std::min(
+                modulus_.back(), state_.solid_materials.of_body(state_.solid.body[i]).law.wave_modulus());
+    }
+    std::vector<double> found;
+    for (std::size_t a = 0; a < members_.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) found.push_back(modulus_between(a, b));
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (const double modulus : found) bodies.push_back({modulus, {}, {}});
+}
+
+template <int Dim>
+bool ContactSearch<Dim>::select(const Array<Index>& members, const std::vector<Box<Dim>>& boxes,
+                                ContactParticles<Dim>& to) {
+    const std::size_t before = to.size();
     for (const Index i : members) {
         const Vec<Dim> x = state_.solid.position[i];
         const auto near = [&](const Box<Dim>& box) { return distance(box, x) < reach_ + skin_; };
-        if (std::any_of(boxes.begin(), boxes.end(), near)) among_bodies.add(state_.solid, i, volume_of(i));
+        if (std::any_of(boxes.begin(), boxes.end(), near)) to.add(state_.solid, i, volume_of(i));
     }
-    return among_bodies.size() > before;
+    return to.size() > before;
 }
 
 template <int Dim>
@@ -136,31 +154,40 @@ void ContactSearch<Dim>::list_bodies() {
             near[a].push_back(b);
             near[b].push_back(a);
         }
-    among_bodies.clear();
-    body_lists.clear();
+    for (BodyContact<Dim>& contact : bodies) list_contact(box, near, contact);
+}
+
+template <int Dim>
+void ContactSearch<Dim>::list_contact(const std::vector<Box<Dim>>& box,
+                                      const std::vector<std::vector<std::size_t>>& near, BodyContact<Dim>& contact) {
+    const std::size_t groups = members_.size();
+    const auto meets = [&](std::size_t a, std::size_t b) { return modulus_between(a, b) == contact.modulus; };
+    ContactParticles<Dim>& particles = contact.particles;
+    particles.clear();
+    contact.lists.clear();
     grids_.assign(groups, {});
     for (std::size_t g = 0; g < groups; ++g) {
         std::vector<Box<Dim>> boxes;
-        for (const std::size_t other : near[g]) boxes.push_back(box[other]);
-        const std::size_t first = among_bodies.size();
-        if (select(members_[g], boxes))
-            grids_[g].build(among_bodies.position, first, among_bodies.size(), cell_, among_bodies.smoothing_length);
+        for (const std::size_t other : near[g])
+            if (meets(g, other)) boxes.push_back(box[other]);
+        const std::size_t first = particles.size();
+        if (select(members_[g], boxes, particles))
+            grids_[g].build(particles.position, first, particles.size(), cell_, particles.smoothing_length);
     }
-    among_bodies.finish();
+    particles.finish();
     const CutOff cut{skin_, 0.5 * support_, 0.5 * support_};
     // Targets of their own: particles are not among their own candidates, as they would be within one set.
-    const VectorField<Dim> places = among_bodies.position;
-    const Set queries{among_bodies.position, among_bodies.smoothing_length},
-        others{places, among_bodies.smoothing_length};
+    const VectorField<Dim> places = particles.position;
+    const Set queries{particles.position, particles.smoothing_length}, others{places, particles.smoothing_length};
     for (std::size_t g = 0; g < groups; ++g) {
         std::vector<const Grid*> targets;
         for (const std::size_t other : near[g])
-            if (grids_[other].size() > 0) targets.push_back(&grids_[other]);
+            if (meets(g, other) && grids_[other].size() > 0) targets.push_back(&grids_[other]);
         if (grids_[g].size() == 0 || targets.empty()) continue;
         NeighborList list;
         search_.build(grids_[g], targets, cut, list);
         search_.prune(queries, others, cut, list);
-        if (list.blocks() > 0) body_lists.push_back(std::move(list));
+        if (list.blocks() > 0) contact.lists.push_back(std::move(list));
     }
 }
 
@@ -208,8 +235,11 @@ void ContactSearch<Dim>::list_planes() {
 template <int Dim>
 std::size_t ContactSearch<Dim>::bytes() const {
     std::size_t sum =
-        among_bodies.bytes() + at_walls.bytes() + wall_list.bytes() + at_wall_grid_.bytes() + wall_grid_.bytes();
-    for (const NeighborList& list : body_lists) sum += list.bytes();
+        at_walls.bytes() + wall_list.bytes() + at_wall_grid_.bytes() + wall_grid_.bytes();
+    for (const BodyContact<Dim>& contact : bodies) {
+        sum += contact.particles.bytes();
+        for (const NeighborList& list : contact.lists) sum += list.bytes();
+    }
     for (const Grid& grid : grids_) sum += grid.bytes();
     for (const auto* sets : {&members_, &at_planes})
         for (const Array<Index>& set : *sets) sum += set.capacity() * sizeof(Index);

@@ -1,6 +1,7 @@
 // Which solid particles may touch another body or a wall: copies of them, and the lists of whom they may touch.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,20 @@ struct ContactParticles {
     }
 };
 
+/// All pairs of groups that press on each other with the same stiffness, that of the softer of the two.
+template <int Dim>
+struct BodyContact {
+    double modulus = 0;                ///< λ + 2μ of the softer one [Pa]
+    ContactParticles<Dim> particles;   ///< of all groups that have such a partner near them
+    std::vector<NeighborList> lists;   ///< each group's particles and those of its partners, within `particles`
+
+    /// visit(name, member) for what outlives a look.
+    template <class Visit>
+    void visit_state(Visit&& visit) {
+        visit("particles", particles), visit("lists", lists);
+    }
+};
+
 /// Keeps account of how far anything has moved, and looks again when something may have come near. Where nothing is
 /// near, there is no copy and no list, and the next look comes when the nearest two may have met.
 ///
@@ -58,14 +73,14 @@ class ContactSearch {
     /// visit(name, member) for what outlives a look.
     template <class Visit>
     void visit_state(Visit&& visit) {
-        visit("among_bodies", among_bodies), visit("at_walls", at_walls), visit("body_lists", body_lists);
+        visit("bodies", bodies), visit("at_walls", at_walls);
         visit("wall_list", wall_list), visit("at_planes", at_planes), visit("members", members_);
         visit("moved", moved_), visit("room", room_), visit("builds", builds_);
         visit("solid_layout", solid_layout_), visit("wall_layout", wall_layout_);
     }
 
-    ContactParticles<Dim> among_bodies, at_walls;
-    std::vector<NeighborList> body_lists;  ///< each group's particles and those of the others, within among_bodies
+    std::vector<BodyContact<Dim>> bodies;  ///< one, if all solids are of one material
+    ContactParticles<Dim> at_walls;
     NeighborList wall_list;                ///< at_walls and the walls' particles, images among them
     std::vector<Array<Index>> at_planes;   ///< solid particles near each mirror plane
 
@@ -75,12 +90,17 @@ class ContactSearch {
 
     bool outdated() const;
     void build();
+    /// The stiffnesses with which groups may meet.
+    void find_moduli();
+    double modulus_between(std::size_t a, std::size_t b) const { return std::min(modulus_[a], modulus_[b]); }
     void list_bodies();
+    void list_contact(const std::vector<Box<Dim>>& box, const std::vector<std::vector<std::size_t>>& near,
+                      BodyContact<Dim>& contact);
     void list_walls();
     void list_planes();
     void sort_into_groups();
     /// Copies the group's particles that are near one of these boxes. Returns whether there are any.
-    bool select(const Array<Index>& members, const std::vector<Box<Dim>>& boxes);
+    bool select(const Array<Index>& members, const std::vector<Box<Dim>>& boxes, ContactParticles<Dim>& to);
     /// Remembers that something is this far out of reach. Returns whether it is near.
     bool is_near(double gap);
     double volume_of(std::size_t i) const {
@@ -94,6 +114,7 @@ class ContactSearch {
     double moved_ = 0, room_ = 0;             ///< since the last look, and until the next [m]
     std::uint64_t builds_ = 0, solid_layout_ = 0, wall_layout_ = 0;
     std::vector<Array<Index>> members_;  ///< of each group
+    std::vector<double> modulus_;        ///< λ + 2μ of each group's softest material [Pa]
     std::vector<Grid> grids_;            ///< of each group's copies
     Grid at_wall_grid_, wall_grid_;
     NeighborSearch<Dim> search_;

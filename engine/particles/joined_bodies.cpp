@@ -53,13 +53,19 @@ std::vector<int> join_bodies(const Scene& scene, const std::vector<Packing>& pac
     const std::size_t n = scene.bodies.size();
     std::vector<int> group(n, no_group);
     std::vector<Box<3>> box(n);
-    int groups = 0;
+    int groups = 0, hypoelastic = no_group;
     for (std::size_t a = 0; a < n; ++a) {
-        if (scene.materials[scene.bodies[a].material].kind != MaterialKind::solid) continue;
+        const Material& material = scene.materials[scene.bodies[a].material];
+        if (material.kind != MaterialKind::solid) continue;
+        if (material.model == SolidModel::hypoelastic) {
+            if (hypoelastic == no_group) hypoelastic = groups++;
+            group[a] = hypoelastic;
+            continue;
+        }
         group[a] = groups++;
         box[a] = box_of(packings[a]);
         for (std::size_t b = 0; b < a; ++b) {
-            if (group[b] == no_group || group[b] == group[a]) continue;
+            if (group[b] == no_group || group[b] == group[a] || group[b] == hypoelastic) continue;
             const double limit = 0.5 * (1 + joined_gap) * (scene.bodies[a].spacing + scene.bodies[b].spacing);
             if (distance2(box[a], box[b]) >= limit * limit || !are_within(packings[a], packings[b], limit)) continue;
             const int from = group[a], to = group[b];
@@ -70,9 +76,10 @@ std::vector<int> join_bodies(const Scene& scene, const std::vector<Packing>& pac
 }
 
 template <int Dim>
-void part_references(const std::vector<int>& group_of_body, double reach, ParticleSet<Dim>& solid) {
+void part_references(const std::vector<int>& group_of_body, double reach, const PartRange& hyperelastic,
+                     ParticleSet<Dim>& solid) {
     std::vector<Box<Dim>> box(group_of_body.size());
-    for (std::size_t i = 0; i < solid.owned; ++i)
+    for (std::size_t i = hyperelastic.first; i < hyperelastic.last; ++i)
         box[static_cast<std::size_t>(group_of_body[solid.body[i]])].add(solid.reference_position[i]);
     if (!are_near(box, reach)) return;
     // In a row along x. The first group stays where it is.
@@ -85,11 +92,11 @@ void part_references(const std::vector<int>& group_of_body, double reach, Partic
         end = box[g].hi[0] + shift[g];
         first = false;
     }
-    for (std::size_t i = 0; i < solid.owned; ++i)
+    for (std::size_t i = hyperelastic.first; i < hyperelastic.last; ++i)
         solid.reference_position.c[0][i] += shift[static_cast<std::size_t>(group_of_body[solid.body[i]])];
 }
 
-template void part_references<2>(const std::vector<int>&, double, ParticleSet<2>&);
-template void part_references<3>(const std::vector<int>&, double, ParticleSet<3>&);
+template void part_references<2>(const std::vector<int>&, double, const PartRange&, ParticleSet<2>&);
+template void part_references<3>(const std::vector<int>&, double, const PartRange&, ParticleSet<3>&);
 
 }  // namespace sluice

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -41,14 +43,30 @@ std::vector<std::size_t> bodies_in_order(const Scene& scene) {
     return order;
 }
 
-/// A second material of a medium is refused, because pairs across materials are not defined.
-void refuse_second(const Scene& scene, const Body& body, const MaterialList& materials) {
-    if (materials.uniform()) return;
-    const Material& material = scene.materials[body.material];
-    scene.fail("bodies." + body.name + ".material",
-               "found a second " + std::string(material.kind == MaterialKind::fluid ? "fluid" : "solid") +
-                   " material, \"" + material.name + "\" beside \"" +
-                   scene.materials[materials.front().number].name + "\"; expected one material per medium");
+/// What pairs across fluids are not defined for is refused.
+void check_fluids(const Scene& scene, const MaterialList& fluids) {
+    if (fluids.empty() || fluids.uniform()) return;
+    const auto material = [&](const MaterialConstants& of) -> const Material& { return scene.materials[of.number]; };
+    for (const MaterialConstants& other : fluids)
+        if (std::abs(other.viscosity - fluids.front().viscosity) > 1e-9 * fluids.front().viscosity)
+            scene.fail("materials." + material(other).name + ".viscosity",
+                       fmt::format("found a kinematic viscosity of {:.4g} m2/s beside the {:.4g} m2/s of {}; expected "
+                                   "fluids of one kinematic viscosity, viscosity/density",
+                                   other.viscosity, fluids.front().viscosity, material(fluids.front()).name));
+    if (scene.method.fluid.density_diffusion == DensityDiffusion::antuono)
+        scene.fail("method.fluid.density_diffusion",
+                   "found \"antuono\", whose density gradient is not defined across different fluids; expected "
+                   "\"fourtakas\", \"molteni-colagrossi\" or \"none\"");
+}
+
+/// The columns of what differs from material to material, if there are several.
+template <int Dim>
+void place_constants(const MaterialList& materials, ParticleSet<Dim>& set) {
+    for (std::size_t i = 0; i < set.rest_density.size(); ++i) {
+        const EquationOfState& eos = materials.of_body(set.body[i]).eos;
+        set.rest_density[i] = eos.density;
+        set.sound_speed[i] = eos.sound_speed;
+    }
 }
 
 /// Fields of one new particle that both media have; its density follows from its pressure.
@@ -99,7 +117,6 @@ void place_body(const Scene& scene, std::size_t number, const Packing& packing, 
     const MaterialConstants material = constants_of(scene, body.material);
     MaterialList& materials = is_fluid ? state.fluid_materials : state.solid_materials;
     materials.add(number, material);
-    refuse_second(scene, body, materials);
     const EquationOfState eos = material.eos;
     ParticleSet<Dim>& phase = is_fluid ? state.fluid : state.solid;
     const InitialVelocity<Dim> velocity(scene, body);
@@ -255,6 +272,9 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     for (std::size_t w = 0; w < walls.size(); ++w) place_wall(scene, w, walls[w], state);
     allocate(effects, SetId::fluid, state.fluid.id.size(), state);
     allocate(effects, SetId::solid, state.solid.id.size(), state);
+    check_fluids(scene, state.fluid_materials);
+    place_constants(state.fluid_materials, state.fluid);
+    place_constants(state.solid_materials, state.solid);
     // A wall that nothing meets is none.
     allocate(effects, SetId::wall, effects.needs(SetId::wall, Column::position) ? state.wall.id.size() : 0, state);
     if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
@@ -271,7 +291,7 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     if (effects.has(Effect::contact) && effects.has(Effect::total_lagrangian)) {
         state.solid_group = join_bodies(scene, bodies);
         const double support = Smoothing<Dim>(scene.method.smoothing_function).support;
-        part_references<Dim>(state.solid_group, 2 * support * state.max_h, state.solid);
+        part_references<Dim>(state.solid_group, 2 * support * state.max_h, state.hyperelastic, state.solid);
     }
     if (effects.has(Effect::interface_force)) place_interface(scene, bodies, state);
     if (effects.has(Effect::moving_boundary)) place_boundary(scene, effects, bodies, state);

@@ -29,12 +29,14 @@ FluidPart<Dim>::FluidPart(StepContext<Dim>& context)
     const MediumMethod& m = c_.scene.method.fluid;
     const MaterialConstants& material = c_.state.fluid_materials.front();
     terms_.sound_speed = material.eos.sound_speed;
+    terms_.multiphase = c_.has(Effect::several_fluids);
     if (c_.has(Effect::artificial_viscosity)) terms_.artificial_viscosity = m.artificial_viscosity;
     if (c_.has(Effect::acoustic_damping)) acoustic_damping_ = m.acoustic_damping;
     if (c_.has(Effect::laminar_viscosity)) {
         terms_.viscosity = m.viscous_form;
         terms_.kinematic_viscosity = material.viscosity;
     }
+    diffusion_.coefficient = 0;
     if (c_.has(Effect::density_diffusion))
         diffusion_ = {c_.has(Effect::excess_density) ? DensityDiffusion::molteni_colagrossi : m.density_diffusion,
                       material.eos.sound_speed, m.diffusion_coefficient, material.eos.density, c_.state.gravity};
@@ -143,6 +145,12 @@ void FluidPart<Dim>::rates() {
     const auto scope = c_.timer.measure(StepPhase::density_pass);
     auto& fluid = c_.state.fluid;
     std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
+    if (c_.has(Effect::several_fluids)) {
+        update_excess_density();
+        c_.pairs += multiphase_continuity<Dim>(view_of(fluid), list_, diffusion_.coefficient, c_.method,
+                                               fluid.density_rate);
+        return;
+    }
     if (!c_.has(Effect::density_diffusion)) {
         c_.pairs += continuity<Dim>(view_of(fluid), list_, c_.method, fluid.density_rate);
         return;
@@ -162,11 +170,16 @@ void FluidPart<Dim>::rates() {
 template <int Dim>
 void FluidPart<Dim>::update_excess_density() {
     auto& fluid = c_.state.fluid;
-    Vec<Dim> per_height = (diffusion_.density / std::pow(diffusion_.sound_speed, 2)) * c_.state.gravity;
+    // Density over height at rest, over ρ0/c0²; none along an axis along which nothing rests.
+    Vec<Dim> per_height = c_.has(Effect::excess_density) ? c_.state.gravity : Vec<Dim>{};
     for (int k = 0; k < Dim; ++k)
-        if (c_.scene.periodic[static_cast<std::size_t>(k)]) per_height[k] = 0;  // nothing rests along this axis
-    parallel_for(fluid.owned, [&](std::size_t i) {
-        fluid.excess_density[i] = fluid.density[i] - dot(per_height, fluid.position[i]);
+        if (c_.scene.periodic[static_cast<std::size_t>(k)]) per_height[k] = 0;
+    with_materials(c_.state.fluid_materials, fluid.body, [&](const auto& material) {
+        parallel_for(fluid.owned, [&](std::size_t i) {
+            const EquationOfState& eos = material(i).eos;
+            const Vec<Dim> slope = (eos.density / std::pow(eos.sound_speed, 2)) * per_height;
+            fluid.excess_density[i] = fluid.density[i] - dot(slope, fluid.position[i]);
+        });
     });
     fluid.refresh_ghosts(column::excess_density);
 }

@@ -40,7 +40,7 @@ HyperelasticSolid<Dim>::HyperelasticSolid(StepContext<Dim>& context)
           {SetId::solid, SetId::solid, Upkeep::for_good, Targets::own, Reach::mean, context.state.hyperelastic})) {
     const MaterialConstants& material = c_.state.solid_materials.front();
     const double alpha = c_.has(Effect::solid_viscosity) ? c_.scene.method.solid.artificial_viscosity : 0.0;
-    viscosity_ = {alpha, material.eos.sound_speed, material.eos.density};
+    viscosity_ = {alpha, material.eos.sound_speed, material.eos.density, c_.has(Effect::several_solids)};
     laws_ = c_.state.solid_materials.by_body(
         c_.scene.bodies.size(), [](const MaterialConstants& of) { return of.law; });
     if (c_.has(Effect::clamp)) moving_ = &c_.neighbors.derive(all_, "moving");

@@ -46,7 +46,7 @@ HypoelasticSolid<Dim>::HypoelasticSolid(StepContext<Dim>& context)
     terms_ = {c_.has(Effect::solid_viscosity) ? m.artificial_viscosity : 0,
               c_.state.solid_materials.front().eos.sound_speed,
               c_.has(Effect::artificial_stress) ? m.artificial_stress : 0, m.artificial_stress_exponent,
-              c_.scene.method.smoothing_length};
+              c_.scene.method.smoothing_length, c_.has(Effect::several_solids)};
     if (!c_.has(Effect::clamp)) return;
     moving_ = &c_.neighbors.derive(all_, "moving");
     all_.searched = [this] {
@@ -154,7 +154,8 @@ void HypoelasticSolid<Dim>::rates_halfway() {
     const auto scope = c_.timer.measure(StepPhase::gradient_pass);
     auto& solid = c_.state.solid;
     std::fill(solid.density_rate.begin(), solid.density_rate.end(), 0.0);
-    c_.pairs += solid_rates<Dim>(view_of(solid), all_.list, c_.method, solid.density_rate, solid.velocity_gradient);
+    c_.pairs += solid_rates<Dim>(view_of(solid), all_.list, c_.method, solid.density_rate, solid.velocity_gradient,
+                                 terms_.multiphase ? DensitySum::by_volume : DensitySum::by_mass);
 }
 
 /// x += v Δt/2, ρ += dρ/dt Δt, S over the step's velocity gradient (kernels/materials/jaumann.hpp), then the stress.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/scene/scene.hpp"
 
@@ -16,23 +17,30 @@ constexpr double rows = 2;
 /// steps come near their limit.
 constexpr double viscosity_per_lightness = 0.4, most_viscosity = 1;
 
-/// ρ_f/ρ_s of the bodies' materials; 0 if one of the two is missing.
-double lightness(const Scene& scene) {
-    double fluid = 0, solid = 0;
+/// The bodies' material of a kind that has the most, or the least, density; null if no body has one.
+template <class Beats>
+const Material* extreme(const Scene& scene, MaterialKind kind, Beats&& beats) {
+    const Material* found = nullptr;
     for (const Body& body : scene.bodies) {
         const Material& material = scene.materials[body.material];
-        (material.kind == MaterialKind::fluid ? fluid : solid) = material.density;
+        if (material.kind == kind && (!found || beats(material.density, found->density))) found = &material;
     }
-    return solid > 0 ? fluid / solid : 0;
+    return found;
 }
 
 }  // namespace
 
-LightSolid light_solid(const Scene& scene) {
-    const double q = lightness(scene);
+LightSolid light_solid(const Scene& scene, const Material& solid) {
+    const Material* fluid = extreme(scene, MaterialKind::fluid, std::greater<>());
+    const double q = fluid ? fluid->density / solid.density : 0;
     if (scene.method.coupling != CouplingScheme::moving_boundary || q <= light_from) return {};
     return {1 / (1 + q), 1 / std::sqrt(1 + (q - light_from) / rows),
             std::min(viscosity_per_lightness * q, most_viscosity)};
+}
+
+LightSolid light_solid(const Scene& scene) {
+    const Material* solid = extreme(scene, MaterialKind::solid, std::less<>());
+    return solid ? light_solid(scene, *solid) : LightSolid{};
 }
 
 void damp_light_solid(Scene& scene) {

@@ -21,6 +21,7 @@
 namespace sluice {
 
 struct Scene;
+struct Material;
 
 struct LightSolid {
     double relaxation = 1;  ///< β
@@ -28,6 +29,9 @@ struct LightSolid {
     double viscosity = 0;   ///< α, the least that is good for a total-Lagrangian solid with sub-steps
 };
 
+/// Of bodies of this material, beside the heaviest fluid.
+LightSolid light_solid(const Scene& scene, const Material& solid);
+/// Of the lightest solid.
 LightSolid light_solid(const Scene& scene);
 
 /// Raises the solid's artificial viscosity to what a light one needs, unless the scene states it.

@@ -23,15 +23,9 @@ SkinAccount skin_for(const ScalarField& h) { return SkinAccount(skin_over_h * sm
 
 std::string name_of(const PairingKey& key) {
     std::string name = std::string(name_of(key.query)) + "_" + std::string(name_of(key.target));
-    switch (key.targets) {
-        case Targets::own:
-            return name + "_own";
-        case Targets::ghosts:
-            return name + "_ghosts";
-        case Targets::all:
-            return key.range.empty() ? name : name + "_from_" + std::to_string(key.range.first);
-    }
-    return name;
+    if (key.targets == Targets::own) name += "_own";
+    if (key.targets == Targets::ghosts) name += "_ghosts";
+    return key.range.empty() ? name : name + "_from_" + std::to_string(key.range.first);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "kernels/passes/density_loops.hpp"
 #include "kernels/passes/fluid_passes.hpp"
+#include "kernels/passes/multiphase_loops.hpp"
 #include "kernels/pairs/pair_sum.hpp"
 #include "kernels/tensor.hpp"
 
@@ -30,6 +31,12 @@ std::uint64_t diffusive_continuity(const ParticleView<Dim>& fluid, const Neighbo
 }
 
 template <int Dim>
+std::uint64_t multiphase_continuity(const ParticleView<Dim>& fluid, const NeighborList& list, double coefficient,
+                                    const PairMethod<Dim>& method, ScalarField& density_rate) {
+    return add_scalars(MultiphaseDensityRate<Dim>{{coefficient}}, method, fluid, fluid, list, density_rate);
+}
+
+template <int Dim>
 std::uint64_t density_gradient(const ParticleView<Dim>& fluid, const NeighborList& list, const PairMethod<Dim>& method,
                                VectorField<Dim>& gradient) {
     using Sums = DensityGradientSums<Dim>;
@@ -52,6 +59,8 @@ std::uint64_t density_gradient(const ParticleView<Dim>& fluid, const NeighborLis
     template std::uint64_t diffusive_continuity<Dim>(const ParticleView<Dim>&, const NeighborList&,      \
                                                      const DiffusionTerms<Dim>&, const PairMethod<Dim>&, \
                                                      ScalarField&);                                      \
+    template std::uint64_t multiphase_continuity<Dim>(const ParticleView<Dim>&, const NeighborList&, double, \
+                                                      const PairMethod<Dim>&, ScalarField&);              \
     template std::uint64_t density_gradient<Dim>(const ParticleView<Dim>&, const NeighborList&,          \
                                                  const PairMethod<Dim>&, VectorField<Dim>&);
 SLUICE_INSTANTIATE(2)

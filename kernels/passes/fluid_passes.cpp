@@ -4,6 +4,7 @@
 
 #include "kernels/passes/fluid_loops.hpp"
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/multiphase_loops.hpp"
 #include "kernels/terms/artificial_viscosity.hpp"
 
 namespace sluice {
@@ -28,6 +29,11 @@ std::uint64_t fluid_momentum(const ParticleView<Dim>& fluid, const NeighborList&
         return add_vectors(momentum, method, fluid, fluid, list, acceleration);
     };
     const CentralViscosity central = central_viscosity<Dim>(terms);
+    if (terms.multiphase) {
+        if (terms.viscosity == Viscosity::morris) return add(MultiphaseMorrisMomentum<Dim>{{terms.kinematic_viscosity}});
+        const double alpha = terms.viscosity == Viscosity::artificial ? terms.artificial_viscosity : 0;
+        return add(MultiphaseMomentum<Dim>{{}, {alpha, central.constant, central.limit, central.softening}});
+    }
     if (central.per_length != 0 || central.constant != 0) return add(ViscousMomentum<Dim>{{}, central});
     if (terms.viscosity == Viscosity::morris && terms.kinematic_viscosity != 0)
         return add(MorrisMomentum<Dim>{{terms.kinematic_viscosity}});

@@ -14,6 +14,7 @@ struct FluidTerms {
     double sound_speed = 0;           ///< c0 [m/s]
     Viscosity viscosity = Viscosity::artificial;
     double kinematic_viscosity = 0;  ///< ν of the laminar ones [m²/s]
+    bool multiphase = false;         ///< several fluids (kernels/terms/multiphase.hpp); reads their sound_speed
 };
 
 /// acceleration += eq. (10) without gravity.

@@ -1,6 +1,7 @@
 #include "kernels/passes/solid_passes.hpp"
 
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/multiphase_loops.hpp"
 #include "kernels/passes/solid_loops.hpp"
 #include "kernels/tensor.hpp"
 
@@ -17,6 +18,10 @@ std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList&
         const MomentumTerms<Dim, std::decay_t<decltype(pack)>...> sum{pack...};
         return add_vectors(sum, method, solid, solid, list, acceleration);
     };
+    if (terms.multiphase) {
+        const MultiphaseViscosity mean{terms.artificial_viscosity, 0, 0, 0.01};
+        return terms.artificial_stress != 0 ? add(VolumeStress{}, mean, tensile) : add(VolumeStress{}, mean);
+    }
     const bool viscous = terms.artificial_viscosity != 0, corrected = terms.artificial_stress != 0;
     if (viscous && corrected) return add(stress, viscosity, tensile);
     if (viscous) return add(stress, viscosity);
@@ -26,10 +31,17 @@ std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList&
 
 template <int Dim>
 std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, const PairMethod<Dim>& method,
-                          ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient) {
+                          ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient,
+                          DensitySum density_sum) {
     using Sums = SolidRateSums<Dim>;
+    const bool by_volume = density_sum == DensitySum::by_volume;
     return sum_pairs(Sums{}, method, solid, solid, list, [&](Index i, const Vec<Sums::outputs>& sum) {
-        density_rate[i] += sum[0];
+        double rate = sum[0];
+        if (by_volume) {  // the trace of G is −Σ_j V_j v_ij·∇W
+            rate = 0;
+            for (int k = 0; k < Dim; ++k) rate -= solid.density[i] * sum[Sums::G + k * (Dim + 1)];
+        }
+        density_rate[i] += rate;
         Tensor<Dim> g, m;
         for (int k = 0; k < Dim * Dim; ++k) {
             g(k / Dim, k % Dim) = sum[Sums::G + k];
@@ -45,7 +57,7 @@ std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& li
     template std::uint64_t solid_momentum<Dim>(const ParticleView<Dim>&, const NeighborList&, const SolidTerms&,   \
                                                const PairMethod<Dim>&, VectorField<Dim>&);                         \
     template std::uint64_t solid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, const PairMethod<Dim>&, \
-                                            ScalarField&, TupleField<Dim * Dim>&);
+                                            ScalarField&, TupleField<Dim * Dim>&, DensitySum);
 SLUICE_INSTANTIATE(2)
 SLUICE_INSTANTIATE(3)
 #undef SLUICE_INSTANTIATE

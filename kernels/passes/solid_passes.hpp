@@ -14,7 +14,11 @@ struct SolidTerms {
     double artificial_stress = 0;        ///< e
     int artificial_stress_exponent = 4;  ///< q
     double h_over_d = 0;                 ///< smoothing length over initial spacing
+    bool multiphase = false;             ///< several materials (kernels/terms/multiphase.hpp); reads sound_speed
 };
+
+/// What stands before the sum in eq. (8): the partners' masses, or their volumes where densities differ.
+enum class DensitySum { by_mass, by_volume };
 
 /// acceleration += eq. (11) without gravity.
 template <int Dim>
@@ -28,6 +32,7 @@ std::uint64_t solid_momentum(const ParticleView<Dim>& solid, const NeighborList&
 /// surface too. A particle with too few neighbours to define M (det M < 10⁻³, where a full support has 1) gets L = 0.
 template <int Dim>
 std::uint64_t solid_rates(const ParticleView<Dim>& solid, const NeighborList& list, const PairMethod<Dim>& method,
-                          ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient);
+                          ScalarField& density_rate, TupleField<Dim * Dim>& velocity_gradient,
+                          DensitySum density_sum = DensitySum::by_mass);
 
 }  // namespace sluice

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/multiphase_loops.hpp"
 #include "kernels/passes/total_lagrangian_loops.hpp"
 
 namespace sluice {
@@ -66,6 +67,7 @@ std::uint64_t elastic_momentum(const ParticleView<Dim>& solid, const NeighborLis
         });
     };
     if (viscosity.artificial_viscosity == 0) return add(ElasticMomentum<Dim>{});
+    if (viscosity.multiphase) return add(MultiphaseElasticMomentum<Dim>{{viscosity.artificial_viscosity}});
     const double coefficient = viscosity.artificial_viscosity * viscosity.density * viscosity.sound_speed;
     return add(ElasticMomentum<Dim, ReferenceViscosity>{{coefficient}});
 }

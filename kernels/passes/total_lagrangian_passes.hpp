@@ -49,6 +49,7 @@ struct ElasticViscosity {
     double artificial_viscosity = 0;  ///< α
     double sound_speed = 0;           ///< c0 [m/s]
     double density = 0;               ///< ρ0 [kg/m³]
+    bool multiphase = false;          ///< several materials: reads their rest_density and sound_speed instead
 };
 
 // Constants of the material, `stiffness` and `laws`, are one for all particles or one for each number in the column

@@ -17,6 +17,25 @@ material = "water"
 shape = { box = { min = [0.0, 0.02], max = [0.02, 0.04] } }
 spacing_ratio = 2.0
 )toml";
+inline const std::string oil = R"toml(
+[materials.oil]
+kind = "fluid"
+density = 900.0
+sound_speed = 30.0
+[bodies.oil]
+material = "oil"
+shape = { box = { min = [0.0, 0.02], max = [0.02, 0.04] } }
+)toml";
+inline const std::string second_solid = R"toml(
+[materials.metal]
+kind = "solid"
+density = 2700.0
+youngs_modulus = 2e7
+poisson_ratio = 0.3
+[bodies.metal]
+material = "metal"
+shape = { box = { min = [0.02, 0.02], max = [0.03, 0.04] } }
+)toml";
 inline const std::string fixed = R"toml(
 [walls.back]
 kind = "fixed"
@@ -71,6 +90,8 @@ inline std::vector<Case> cases() {
         by_key(Effect::solid_viscosity, block, s + "artificial_viscosity", "1", "0"),
         by_key(Effect::artificial_stress, block, s + "artificial_stress", "0.3", "0"),
         by_key(Effect::solid_filter, block, s + "velocity_filter", "0.99", "1"),
+        by_content(Effect::several_fluids, water + oil, water),
+        by_content(Effect::several_solids, block + second_solid, block),
         {Effect::contact, {block + mirror_floor, {total_lagrangian}}, {block, {total_lagrangian}}},
         by_key(Effect::interface_force, both, "method.coupling", "interface-force", "moving-boundary"),
         by_key(Effect::moving_boundary, both, "method.coupling", "moving-boundary", "interface-force"),

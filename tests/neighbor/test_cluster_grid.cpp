@@ -15,6 +15,14 @@ using namespace sluice;
 namespace {
 
 template <int Dim>
+std::vector<Index> order_of(const ClusterGrid<Dim>& grid) {
+    std::vector<Index> order;
+    for (std::size_t t = 0; t < grid.size(); ++t) order.push_back(grid.particle(t));
+    return order;
+}
+
+
+template <int Dim>
 struct Points {
     VectorField<Dim> x;
     ScalarField h;
@@ -52,7 +60,7 @@ template <int Dim>
 Extent<Dim> extent_of(const ClusterGrid<Dim>& grid, const Points<Dim>& p, Range range) {
     Extent<Dim> e;
     for (Index t = range.begin; t < range.end; ++t) {
-        const Index i = grid.order()[t];
+        const Index i = grid.particle(t);
         for (int k = 0; k < Dim; ++k) {
             e.box.lo[k] = std::fmin(e.box.lo[k], p.x[i][k]);
             e.box.hi[k] = std::fmax(e.box.hi[k], p.x[i][k]);
@@ -85,12 +93,12 @@ std::string broken_cluster_rule(const ClusterGrid<Dim>& grid, const Points<Dim>&
         if (range.begin != next || range.size() < 1 || range.size() > cluster_size)
             return "clusters follow each other and hold 1 … 4 particles";
         next = range.end;
-        const std::size_t own = cell[grid.order()[range.begin]];
+        const std::size_t own = cell[grid.particle(range.begin)];
         for (Index t = range.begin; t < range.end; ++t)
-            if (cell[grid.order()[t]] != own) return "a cluster lies in one cell";
+            if (cell[grid.particle(t)] != own) return "a cluster lies in one cell";
         if (own < last_cell) return "cells come in Morton order";
         last_cell = own;
-        const bool last_of_cell = range.end == grid.size() || cell[grid.order()[range.end]] != own;
+        const bool last_of_cell = range.end == grid.size() || cell[grid.particle(range.end)] != own;
         if (range.size() < cluster_size && !last_of_cell) return "all clusters of a cell but its last are full";
         if (!same_extent(grid.cluster_extent(c), extent_of(grid, p, range))) return "a cluster's extent is exact";
     }
@@ -101,9 +109,9 @@ std::string broken_cluster_rule(const ClusterGrid<Dim>& grid, const Points<Dim>&
 template <int Dim>
 std::string broken_rule(const ClusterGrid<Dim>& grid, const Points<Dim>& p, std::size_t first, std::size_t last,
                         double cell_size) {
-    if (grid.size() != last - first || grid.order().size() != grid.size()) return "size() counts the positions";
+    if (grid.size() != last - first || order_of(grid).size() != grid.size()) return "size() counts the positions";
     std::vector<int> seen(last, 0);
-    for (const Index i : grid.order())
+    for (const Index i : order_of(grid))
         if (i < first || i >= last || seen[i]++) return "order is a permutation";
     const auto cell = cell_numbers(p, first, last, cell_size);
     Index next = 0;
@@ -113,9 +121,9 @@ std::string broken_rule(const ClusterGrid<Dim>& grid, const Points<Dim>& p, std:
             return "blocks follow each other and hold 1 … 16 clusters";
         next = clusters.end;
         const Range all{grid.particles(clusters.begin).begin, grid.particles(clusters.end - 1).end};
-        const std::size_t own = cell[grid.order()[all.begin]];
-        if (cell[grid.order()[all.end - 1]] != own) return "a block lies in one cell";
-        const bool last_of_cell = all.end == grid.size() || cell[grid.order()[all.end]] != own;
+        const std::size_t own = cell[grid.particle(all.begin)];
+        if (cell[grid.particle(all.end - 1)] != own) return "a block lies in one cell";
+        const bool last_of_cell = all.end == grid.size() || cell[grid.particle(all.end)] != own;
         if (clusters.size() < block_size && !last_of_cell) return "all blocks of a cell but its last are full";
         if (!same_extent(grid.block_extent(b), extent_of(grid, p, all))) return "a block's extent is exact";
     }
@@ -125,7 +133,8 @@ std::string broken_rule(const ClusterGrid<Dim>& grid, const Points<Dim>& p, std:
 /// Order, clusters, blocks and extents, number by number.
 template <int Dim>
 std::vector<double> contents(const ClusterGrid<Dim>& grid) {
-    std::vector<double> all(grid.order().begin(), grid.order().end());
+    const std::vector<Index> order = order_of(grid);
+    std::vector<double> all(order.begin(), order.end());
     const auto add = [&](const Extent<Dim>& e) {
         all.insert(all.end(), e.box.lo.c.begin(), e.box.lo.c.end());
         all.insert(all.end(), e.box.hi.c.begin(), e.box.hi.c.end());
@@ -151,7 +160,7 @@ std::vector<std::set<std::size_t>> members(const ClusterGrid<Dim>& grid, const s
         for (Index c = grid.clusters(b).begin; c < grid.clusters(b).end; ++c) {
             all.emplace_back();
             for (Index t = grid.particles(c).begin; t < grid.particles(c).end; ++t)
-                all.back().insert(name[grid.order()[t]]);
+                all.back().insert(name[grid.particle(t)]);
         }
     return all;
 }
@@ -235,7 +244,7 @@ TEMPLATE_TEST_CASE_SIG("particles in the grid's order are found in order", "[clu
         CAPTURE(p.size());
         CHECK(broken_rule(grid, sorted, first, p.size(), 0.1) == "");
         std::size_t out_of_order = 0;
-        for (std::size_t t = 0; t < grid.size(); ++t) out_of_order += grid.order()[t] != first + t;
+        for (std::size_t t = 0; t < grid.size(); ++t) out_of_order += grid.particle(t) != first + t;
         CHECK(out_of_order == 0);
         const auto told = contents(grid);
         CHECK(std::equal(before.begin() + static_cast<std::ptrdiff_t>(grid.size()), before.end(),
@@ -286,7 +295,7 @@ TEMPLATE_TEST_CASE_SIG("the blocks near a box hold every particle within its rea
                 const Range clusters = grid.clusters(b);
                 bool near = false;
                 for (Index t = grid.particles(clusters.begin).begin; t < grid.particles(clusters.end - 1).end; ++t) {
-                    const Index i = grid.order()[t];
+                    const Index i = grid.particle(t);
                     const double limit = cut + scale * p.h[i];
                     near = near || distance2(box, Box<Dim>(p.x[i], p.x[i])) < limit * limit;
                 }
