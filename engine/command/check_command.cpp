@@ -75,7 +75,7 @@ std::string step_table(const Simulation<Dim>& simulation) {
     return text;
 }
 
-std::string effect_table(const Effects& effects) {
+std::string effects_text(const Effects& effects) {
     std::size_t key = 0, name = 0, equation = 0;
     for (const EffectChoice& choice : effects.all()) {
         key = std::max(key, choice.info.key.size());
@@ -126,7 +126,7 @@ std::string scene_text(const Scene& scene) {
     const std::vector<std::string> columns = probes.columns();
     text += row("probe columns", columns.empty() ? "none" : fmt::format("{}", fmt::join(columns, ", ")));
     text += reference_table(scene);
-    return text + "\n" + effect_table(simulation.effects());
+    return text + "\n" + effects_text(simulation.effects());
 }
 
 template <int Dim>

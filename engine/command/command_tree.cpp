@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "engine/effect_table.hpp"
+#include "engine/effects/names/effect_table.hpp"
 #include "engine/scene/scene_keys.hpp"
 #include "engine/scene_help.hpp"
 #include "engine/templates/scene_templates.hpp"
@@ -44,7 +44,7 @@ std::vector<std::string> template_names() {
 std::vector<std::string> help_keys(const std::string& topic) {
     std::vector<std::string> keys;
     if (topic == "effects")
-        for (const EffectRow& row : effect_table()) keys.emplace_back(row.info.key);
+        for (const EffectInfo& info : effect_table) keys.emplace_back(info.key);
     if (topic == "scene")
         for (const SceneKey& key : scene_keys()) keys.push_back(shown_path(key));
     return keys;

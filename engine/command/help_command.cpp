@@ -9,8 +9,7 @@
 #include "engine/command/commands.hpp"
 #include "engine/command/manual.hpp"
 #include "engine/command/topics.hpp"
-#include "engine/effect_help.hpp"
-#include "engine/effect_table.hpp"
+#include "engine/effects/effect_help.hpp"
 #include "engine/scene/suggestion.hpp"
 #include "engine/scene_help.hpp"
 #include "engine/scene_schema.hpp"
@@ -29,12 +28,13 @@ ExitCode refuse(std::string_view topic, const std::string& key, const std::strin
 }
 
 ExitCode print_effect(const std::string& key) {
+    if (const EffectInfo* effect = find_effect(key)) {
+        print(effect_page(*effect));
+        return ExitCode::done;
+    }
     std::vector<std::string> keys;
-    for (const EffectRow& row : effect_table()) keys.emplace_back(row.info.key);
-    const auto found = std::find(keys.begin(), keys.end(), key);
-    if (found == keys.end()) return refuse("effects", key, one_of(keys) + did_you_mean(key, keys));
-    print(effect_page(effect_table()[static_cast<std::size_t>(found - keys.begin())].info));
-    return ExitCode::done;
+    for (const EffectInfo& info : effect_table) keys.emplace_back(info.key);
+    return refuse("effects", key, one_of(keys) + did_you_mean(key, keys));
 }
 
 void add_texts(CLI::App& command, Deed& chosen) {

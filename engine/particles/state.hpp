@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "engine/particles/materials.hpp"
 #include "engine/particles/part_range.hpp"
 #include "engine/particles/particle_set.hpp"

@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <new>
 #include <numeric>
+#include <utility>
 
 #include "engine/base/process_usage.hpp"
-#include "engine/effect_table.hpp"
 #include "engine/errors.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "engine/watch/state_check.hpp"
@@ -22,6 +22,14 @@ namespace {
 using Verdict = Decision::Verdict;
 using Clock = std::chrono::steady_clock;
 using Shares = decltype(SceneCost::phases);
+
+constexpr std::pair<Effect, StepPhase> required_phases[]{
+    {Effect::fluid_pressure, StepPhase::fluid_pass},      {Effect::fluid_pressure, StepPhase::density_pass},
+    {Effect::solid_stress, StepPhase::solid_pass},        {Effect::solid_stress, StepPhase::gradient_pass},
+    {Effect::total_lagrangian, StepPhase::solid_pass},    {Effect::total_lagrangian, StepPhase::gradient_pass},
+    {Effect::interface_force, StepPhase::interface_pass}, {Effect::moving_boundary, StepPhase::interface_pass},
+    {Effect::fixed_wall, StepPhase::wall_pass},
+};
 
 /// Turns and warm-up are multiples of this many steps, so that what is not done in every step is in each of them: of
 /// that, particle shifting is the most seldom (engine/parts/particle_shifting.cpp).
@@ -186,7 +194,7 @@ template <int Dim>
 void compare(const Scene& scene, const CostEffort& effort, double rate, EffectCost& effect) {
     const Stopwatch watch;
     Scene switched_scene = scene;
-    switched_scene.switches[std::string(effect.choice.info.key)] = effect.choice.on ? Switch::off : Switch::on;
+    switched_scene.switches[effect.choice.info.effect] = effect.choice.on ? Switch::off : Switch::on;
     Simulation<Dim> plain(scene), switched(switched_scene);
     const ThreadCount one(1);
     Turn slower = advance(plain, step_cycle);
@@ -228,38 +236,54 @@ void try_to_compare(const Scene& scene, const CostEffort& effort, double rate, E
     }
 }
 
-bool can_be_switched(Verdict verdict) { return verdict == Verdict::used || verdict == Verdict::unused; }
+bool can_be_switched(const EffectChoice& choice) {
+    switch (choice.decision.verdict) {
+        case Verdict::used:
+        case Verdict::unused:
+            return true;
+        case Verdict::impossible:
+        case Verdict::required:
+            break;
+    }
+    return false;
+}
 
 /// What is known of an effect before it is switched.
 template <int Dim>
-EffectCost without_switching(const EffectRow& row, Verdict verdict, const Effects& effects, const SceneCost& cost) {
+EffectCost without_switching(const EffectChoice& choice, const SceneCost& cost) {
     EffectCost effect;
-    effect.choice = effects.all()[static_cast<std::size_t>(row.info.effect)];
-    effect.memory = field_bytes<Dim>(row.info);
-    if (verdict == Verdict::impossible) return effect;
-    effect.basis = row.phases.empty() ? CostBasis::shared : CostBasis::phases;
-    for (const StepPhase phase : row.phases) effect.share += cost.phases[static_cast<std::size_t>(phase)];
+    effect.choice = choice;
+    effect.memory = field_bytes<Dim>(choice.info);
+    if (choice.decision.is_impossible()) return effect;
+    const std::vector<StepPhase> phases = phases_for(choice.info.effect);
+    effect.basis = phases.empty() ? CostBasis::shared : CostBasis::phases;
+    for (const StepPhase phase : phases) effect.share += cost.phases[static_cast<std::size_t>(phase)];
     return effect;
 }
 
 }  // namespace
 
+std::vector<StepPhase> phases_for(Effect effect) {
+    std::vector<StepPhase> phases;
+    for (const auto& [of, phase] : required_phases)
+        if (of == effect) phases.push_back(phase);
+    return phases;
+}
+
 template <int Dim>
 SceneCost measure_cost(const Scene& scene, const CostEffort& effort) {
     const Stopwatch watch;
-    const SceneContent content = content_of(scene);
     const Effects effects(scene);
-    std::vector<Verdict> verdicts;
-    for (const EffectRow& row : effect_table()) verdicts.push_back(row.rule(scene, content).verdict);
     // The scene alone is measured like one effect more.
-    const auto parts = 1 + static_cast<double>(std::count_if(verdicts.begin(), verdicts.end(), can_be_switched));
+    const auto parts =
+        1 + static_cast<double>(std::count_if(effects.all().begin(), effects.all().end(), can_be_switched));
     const CostEffort part{effort.seconds / parts, effort.limit / parts};
     SceneCost cost;
     if (::getloadavg(&cost.load, 1) != 1) cost.load = 0;  // not known
     time_scene<Dim>(scene, part, cost);
-    for (std::size_t k = 0; k < verdicts.size(); ++k) {
-        EffectCost effect = without_switching<Dim>(effect_table()[k], verdicts[k], effects, cost);
-        if (can_be_switched(verdicts[k])) {
+    for (const EffectChoice& choice : effects.all()) {
+        EffectCost effect = without_switching<Dim>(choice, cost);
+        if (can_be_switched(choice)) {
             if (watch.wall() < effort.limit) {
                 try_to_compare<Dim>(scene, part, cost.rate, effect);
             } else {

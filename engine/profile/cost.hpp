@@ -8,10 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/effect_fields.hpp"
+#include "engine/effects/effect_fields.hpp"
+#include "engine/effects/effects.hpp"
 #include "engine/step/phase_timer.hpp"
 
 namespace sluice {
+
+/// Phases of a step that run for this effect where a scene cannot do without it; empty if it runs within those of
+/// others.
+std::vector<StepPhase> phases_for(Effect effect);
 
 /// How an effect's cost was found.
 enum class CostBasis {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "engine/profile/step_profile.hpp"
 
 namespace sluice {

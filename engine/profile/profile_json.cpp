@@ -12,7 +12,7 @@ using Kind = ProfileRow::Kind;
 
 Json keys_of(const std::vector<Effect>& list, const Effects& effects) {
     Json keys = Json::array();
-    for (const Effect e : list) keys.push_back(std::string(effects.all()[static_cast<std::size_t>(e)].info.key));
+    for (const Effect e : list) keys.push_back(std::string(effects[e].info.key));
     return keys;
 }
 
@@ -65,7 +65,7 @@ std::string profile_json(const Profile& profile, const Effects& effects, const T
         json[row.kind == Kind::phase ? "phases" : row.kind == Kind::loop ? "loops" : "rests"].push_back(one);
     }
     for (const EffectTime& time : profile.effects)
-        json["effects"].push_back({{"key", std::string(effects.all()[static_cast<std::size_t>(time.effect)].info.key)},
+        json["effects"].push_back({{"key", std::string(effects[time.effect].info.key)},
                                    {"seconds_alone", time.alone},
                                    {"seconds_shared", time.shared},
                                    {"where", time.where},

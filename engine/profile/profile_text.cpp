@@ -37,7 +37,7 @@ std::string row_text(const Profile& p, const ProfileRow& row, const Effects& eff
 }
 
 std::string effect_text(const Profile& p, const EffectTime& time, const Effects& effects) {
-    const EffectInfo& info = effects.all()[static_cast<std::size_t>(time.effect)].info;
+    const EffectInfo& info = effects[time.effect].info;
     if (time.where.empty()) return fmt::format("{:<24}{:>9}{:>9}  in the loops of others\n", info.key, "", "");
     const auto share = [&](double seconds) { return seconds > 0 ? percent(seconds / p.seconds) : std::string(); };
     std::vector<std::string> where = time.where;
@@ -51,8 +51,7 @@ std::string effect_text(const Profile& p, const EffectTime& time, const Effects&
 
 std::string keys_text(const std::vector<Effect>& list, const Effects& effects) {
     std::string text;
-    for (const Effect e : list)
-        text += fmt::format("{}{}", text.empty() ? "" : " + ", effects.all()[static_cast<std::size_t>(e)].info.key);
+    for (const Effect e : list) text += fmt::format("{}{}", text.empty() ? "" : " + ", effects[e].info.key);
     return text;
 }
 

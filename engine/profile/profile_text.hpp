@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "engine/profile/profile.hpp"
 
 namespace sluice {

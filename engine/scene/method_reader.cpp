@@ -1,4 +1,4 @@
-#include "engine/effect_table.hpp"
+#include "engine/effects/names/effect_table.hpp"
 #include "engine/scene/reader_parts.hpp"
 
 namespace sluice {
@@ -103,10 +103,9 @@ void read_effects(TomlTable& root) {
     const TomlValue value = root.get("effects");
     if (!value) return;
     TomlTable table(value);
-    for (const EffectRow& row : effect_table()) {
-        const std::string key(row.info.key);
-        if (const auto v = table.get(key)) root.scene().switches[key] = static_cast<Switch>(v.word());
-    }
+    for (const EffectInfo& info : effect_table)
+        if (const auto v = table.get(std::string(info.key)))
+            root.scene().switches[info.effect] = static_cast<Switch>(v.word());
     table.finish();
 }
 

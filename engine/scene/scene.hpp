@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/effects/names/effect.hpp"
 #include "engine/errors.hpp"
 #include "engine/geometry/shape.hpp"
 #include "engine/scene/reference.hpp"
@@ -92,7 +93,7 @@ struct MediumMethod {
     double artificial_viscosity = 0;             ///< α of eq. (12)
     double artificial_stress = 0;                ///< e of eq. (14)
     int artificial_stress_exponent = 4;          ///< q of eq. (11)
-    double hourglass_control = 0.85;             ///< ζ of kernels/passes/total_lagrangian_passes.hpp, which says why 0.85
+    double hourglass_control = 0.85;  ///< ζ of kernels/passes/total_lagrangian_passes.hpp, which says why 0.85
 };
 
 enum class Preset { paper, modern };
@@ -158,7 +159,7 @@ struct Scene {
     std::vector<Probe> probes;
     std::vector<Reference> references;
     Method method;
-    std::map<std::string, Switch> switches;  ///< of effects, by their keys; absent = automatic
+    PerEffect<Switch> switches;
     WatchPolicy watch = WatchPolicy::stop;
     OutputTimes output;
     KeyLines lines;

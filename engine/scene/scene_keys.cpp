@@ -4,7 +4,7 @@
 #include <deque>
 #include <string>
 
-#include "engine/effect_table.hpp"
+#include "engine/effects/names/effect_table.hpp"
 #include "engine/scene/key_rows.hpp"
 
 namespace sluice {
@@ -13,10 +13,10 @@ namespace {
 /// What may be said of each effect follows from the table of effects.
 void add_effects(std::vector<SceneKey>& keys) {
     static std::deque<std::string> paths;  // which stay where they are
-    for (const EffectRow& row : effect_table()) {
-        paths.push_back("effects." + std::string(row.info.key));
+    for (const EffectInfo& info : effect_table) {
+        paths.push_back("effects." + std::string(info.key));
         keys.push_back({paths.back(), KeyValue{.type = KeyType::word, .words = "auto on off"},
-                        Otherwise{Otherwise::Kind::value, "\"auto\""}, row.info.name, "", row.info.key});
+                        Otherwise{Otherwise::Kind::value, "\"auto\""}, info.name, "", info.key});
     }
 }
 

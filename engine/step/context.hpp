@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "engine/particles/state.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/phase_timer.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "engine/errors.hpp"
 
 namespace sluice {

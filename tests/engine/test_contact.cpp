@@ -275,8 +275,7 @@ TEST_CASE("Contact is on where something can touch, and says why it is not elsew
                       other = body("other", box("[0.02, 0.0]", "[0.03, 0.01]"), "[0, 0]"),
                       held = "clamp = " + box("[-0.001, -0.001]", "[0.011, 0.011]") + "\n";
     const auto choice = [](const std::string& content, const std::vector<std::string>& overrides = {}) {
-        return Effects(scene_text::load(rubber(d) + content, overrides))
-            .all()[static_cast<std::size_t>(Effect::contact)];
+        return Effects(scene_text::load(rubber(d) + content, overrides))[Effect::contact];
     };
     const std::string hypoelastic = "materials.rubber.model=hypoelastic";
     CHECK(choice(block + other).on);

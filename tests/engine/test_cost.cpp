@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "engine/effect_table.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 #include "tests/engine/test_scenes.hpp"
@@ -31,24 +30,24 @@ std::vector<CostBasis> expected_bases(Decision::Verdict verdict) {
             return {CostBasis::impossible};
         case Decision::Verdict::required:
             return {CostBasis::phases, CostBasis::shared};
-        default:
+        case Decision::Verdict::unused:
+        case Decision::Verdict::used:
             return {CostBasis::switched};
     }
+    return {};
 }
 
 /// All effects, as they stand in the table, each with the basis that its rule allows.
 void require_complete(const Scene& scene, const SceneCost& cost) {
     const Effects effects(scene);
-    const SceneContent content = content_of(scene);
     REQUIRE(cost.effects.size() == effect_count);
-    for (std::size_t k = 0; k < effect_count; ++k) {
-        const EffectCost& e = cost.effects[k];
-        const EffectRow& row = effect_table()[k];
-        INFO(row.info.key);
-        REQUIRE(e.choice.info.effect == row.info.effect);
-        REQUIRE(e.choice.on == effects.has(row.info.effect));
+    for (const EffectInfo& info : effect_table) {
+        const EffectCost& e = cost.effects[static_cast<std::size_t>(info.effect)];
+        INFO(info.key);
+        REQUIRE(e.choice.info.effect == info.effect);
+        REQUIRE(e.choice.on == effects.has(info.effect));
         REQUIRE_FALSE(e.choice.why.empty());
-        const auto bases = expected_bases(row.rule(scene, content).verdict);
+        const auto bases = expected_bases(effects[info.effect].decision.verdict);
         REQUIRE(std::count(bases.begin(), bases.end(), e.basis) == 1);
         REQUIRE((e.rounds > 0) == (e.basis == CostBasis::switched));
         REQUIRE(std::isfinite(e.change));
@@ -117,17 +116,15 @@ TEST_CASE("What changes the time step is counted per simulated second") {
 }
 
 TEST_CASE("Memory of an effect is that of its fields") {
-    const Effects effects(load_scene(test_scene("small_gate.toml")));
-    const auto info = [&](Effect e) { return effects.all()[static_cast<std::size_t>(e)].info; };
-    REQUIRE(field_bytes<2>(info(Effect::gravity)).empty());
-    const auto plane = field_bytes<2>(info(Effect::velocity_filter));
-    const auto space = field_bytes<3>(info(Effect::velocity_filter));
+    REQUIRE(field_bytes<2>(info_of(Effect::gravity)).empty());
+    const auto plane = field_bytes<2>(info_of(Effect::velocity_filter));
+    const auto space = field_bytes<3>(info_of(Effect::velocity_filter));
     REQUIRE(plane.size() == 1);
     REQUIRE(plane[0].phase == "fluid");
     REQUIRE(plane[0].bytes == 2 * sizeof(double));
     REQUIRE(space[0].bytes == 3 * sizeof(double));
     // A symmetric tensor.
-    REQUIRE(field_bytes<3>(info(Effect::artificial_stress))[0].bytes == 6 * sizeof(double));
+    REQUIRE(field_bytes<3>(info_of(Effect::artificial_stress))[0].bytes == 6 * sizeof(double));
 }
 
 TEST_CASE("An effect that the scene will not let go is told with the scene's own words") {

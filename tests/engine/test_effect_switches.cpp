@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/effect_table.hpp"
+#include "engine/effects/effects.hpp"
 #include "engine/run/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/effect_scenes.hpp"
@@ -31,16 +31,13 @@ struct Switched {
     std::string place() const { return std::to_string(line) + ": " + path + ": "; }
 };
 
-Decision decide(const effect_scenes::Case::Side& side, Effect e) {
-    const Scene scene = side.load();
-    return effect_table()[static_cast<std::size_t>(e)].rule(scene, content_of(scene));
-}
+Decision decide(const effect_scenes::Case::Side& side, Effect e) { return Effects(side.load())[e].decision; }
 
 }  // namespace
 
 TEST_CASE("\"off\" turns off what a scene can do without, and is refused with the reason where it cannot") {
     for (const auto& c : effect_scenes::cases()) {
-        const std::string key(effect_table()[static_cast<std::size_t>(c.effect)].info.key);
+        const std::string key(info_of(c.effect).key);
         const Decision d = decide(c.on, c.effect);
         const Switched off(c.on, key, "off");
         CAPTURE(key, d.why);
@@ -61,7 +58,7 @@ TEST_CASE("\"off\" turns off what a scene can do without, and is refused with th
 
 TEST_CASE("\"on\" turns on what a scene leaves unused, and is refused with the reason where it cannot act") {
     for (const auto& c : effect_scenes::cases()) {
-        const std::string key(effect_table()[static_cast<std::size_t>(c.effect)].info.key);
+        const std::string key(info_of(c.effect).key);
         const Decision d = decide(c.off, c.effect);
         const Switched on(c.off, key, "on");
         CAPTURE(key, d.why);
@@ -125,8 +122,8 @@ TEST_CASE("Unknown effects and words are refused with the nearest that would be 
     const std::string unknown = error("velocity_fliter = \"off\"");
     CHECK(unknown.starts_with(line + ": effects.velocity_fliter: found an unknown key, expected one of "));
     CHECK(unknown.ends_with("; did you mean \"velocity_filter\"?"));
-    for (const EffectRow& row : effect_table())
-        CHECK(unknown.find(fmt::format("\"{}\"", row.info.key)) != std::string::npos);
+    for (const EffectInfo& info : effect_table)
+        CHECK(unknown.find(fmt::format("\"{}\"", info.key)) != std::string::npos);
     CHECK(error("velocity_filter = \"offf\"").starts_with(line + ": effects.velocity_filter: "));
     CHECK(error("velocity_filter = \"offf\"").find("did you mean \"off\"?") != std::string::npos);
     CHECK(error("velocity_filter = false").starts_with(line + ": effects.velocity_filter: found false, expected"));

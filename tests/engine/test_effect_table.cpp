@@ -1,5 +1,5 @@
-// The table of effects: every row can be on and off, and its columns are those that there are.
-#include "engine/effect_table.hpp"
+// The table of effects and their rules: every row can be on and off, and its columns are those that there are.
+#include "engine/effects/effects.hpp"
 
 #include <set>
 #include <sstream>
@@ -29,29 +29,24 @@ std::set<std::string> words_of(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("The table's rows stand in the order of the enumeration, and each has every entry") {
-    std::set<std::string_view> keys, names;
-    std::size_t row = 0;
-    REQUIRE(effect_table().size() == effect_count);
-    for (const EffectRow& effect : effect_table()) {
-        CAPTURE(std::string(effect.info.key));
-        REQUIRE(static_cast<std::size_t>(effect.info.effect) == row++);
-        REQUIRE_FALSE(effect.info.name.empty());
-        REQUIRE_FALSE(effect.info.equation.empty());
-        REQUIRE(effect.info.automatic.starts_with("on if "));
-        REQUIRE_FALSE(effect.info.formula.empty());
-        REQUIRE(effect.info.formula.find('\n') == std::string_view::npos);
-        REQUIRE(effect.rule != nullptr);
-        keys.insert(effect.info.key);
-        names.insert(effect.info.name);
+TEST_CASE("Each of the table's rows has every entry, and a name of its own") {
+    std::set<std::string_view> names;
+    for (const EffectInfo& effect : effect_table) {
+        CAPTURE(std::string(effect.key));
+        REQUIRE_FALSE(effect.name.empty());
+        REQUIRE_FALSE(effect.equation.empty());
+        REQUIRE(effect.automatic.starts_with("on if "));
+        REQUIRE_FALSE(effect.formula.empty());
+        REQUIRE(effect.formula.find('\n') == std::string_view::npos);
+        REQUIRE(find_effect(effect.key) == &effect);
+        REQUIRE(names.insert(effect.name).second);
     }
-    REQUIRE(keys.size() == effect_count);
-    REQUIRE(names.size() == effect_count);
+    REQUIRE_FALSE(find_effect("no_such_effect"));
 }
 
 TEST_CASE("The table names no column that there is not, and every column is needed by some effect") {
     std::set<std::string> named, needed;
-    for (const EffectRow& row : effect_table()) named.merge(words_of(row.info.fields));
+    for (const EffectInfo& effect : effect_table) named.merge(words_of(effect.fields));
     const std::set<std::string> existing = all_columns();
     for (const std::string& column : named) {
         CAPTURE(column);
@@ -71,16 +66,63 @@ TEST_CASE("Every effect is on in a scene that calls for it and off in one that d
         seen.insert(c.effect);
         for (const bool wanted : {true, false}) {
             Simulation<2> simulation((wanted ? c.on : c.off).load());
-            const EffectChoice& choice = simulation.effects().all()[static_cast<std::size_t>(c.effect)];
+            const EffectChoice& choice = simulation.effects()[c.effect];
             CAPTURE(std::string(choice.info.key), wanted, choice.why);
+            REQUIRE(choice.info.effect == c.effect);
             REQUIRE(choice.on == wanted);
-            REQUIRE(simulation.effects().has(c.effect) == wanted);
             REQUIRE_FALSE(choice.why.empty());
+            // What the table says of the rule in words.
+            const bool is_required = choice.info.automatic.find("cannot be left out") != std::string_view::npos;
+            if (wanted) REQUIRE((choice.decision.verdict == Decision::Verdict::required) == is_required);
             advance(simulation, 2);
             REQUIRE(std::isfinite(simulation.energy().total()));
         }
     }
     REQUIRE(seen.size() == effect_count);
+}
+
+TEST_CASE("A rule follows what was decided of the effect that it builds on") {
+    const auto effects = [](const std::string& content, const std::vector<std::string>& overrides) {
+        return Effects(scene_text::load(effect_scenes::scene(content), overrides));
+    };
+    using namespace effect_scenes;
+    const std::string both = water + block, wall_alone = block + moving;
+    const std::vector<std::string> fourtakas{"method.fluid.density_diffusion=fourtakas", "gravity=[0.0, -9.81]"},
+        antuono{"method.fluid.density_diffusion=antuono"},
+        at_own_rate{"method.time_stepping=multi-rate", total_lagrangian};
+    const auto with = [](std::vector<std::string> overrides, const std::string& more) {
+        overrides.push_back(more);
+        return overrides;
+    };
+    struct Pair {
+        Effect effect;
+        const std::string& content;
+        std::vector<std::string> on;
+        std::string changed, why;
+    };
+    const std::vector<Pair> pairs{
+        {Effect::excess_density, water, fourtakas, "effects.density_diffusion=off",
+         "no density diffusion by Fourtakas et al."},
+        {Effect::density_gradient, water, antuono, "effects.density_diffusion=off",
+         "no density diffusion by Antuono et al."},
+        {Effect::steady_load, both, at_own_rate, "effects.solid_substeps=off", "the solid has no steps of its own"},
+        {Effect::moving_wall, wall_alone, {total_lagrangian}, "effects.contact=off", "no fluid body to move"},
+        {Effect::no_slip_solid,
+         both,
+         {"method.coupling=moving-boundary", viscous},
+         "method.coupling=interface-force",
+         "method.coupling is another"},
+    };
+    for (const Pair& p : pairs) {
+        CAPTURE(std::string(info_of(p.effect).key));
+        CHECK(effects(p.content, p.on).has(p.effect));
+        const Effects without = effects(p.content, with(p.on, p.changed));
+        CHECK_FALSE(without.has(p.effect));
+        CHECK(without[p.effect].why == p.why);
+    }
+    // Hypoelastic solids meet walls only if that is asked for.
+    CHECK_FALSE(effects(wall_alone, {}).has(Effect::moving_wall));
+    CHECK(effects(wall_alone, {"effects.contact=on"}).has(Effect::moving_wall));
 }
 
 TEST_CASE("The table's rules hold in three dimensions") {

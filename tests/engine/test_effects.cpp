@@ -1,5 +1,5 @@
 // Which effects a scene calls for, what is allocated for them, and the time step.
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 
 #include "engine/particles/id_index.hpp"
 #include "tests/catch.hpp"

@@ -3,7 +3,7 @@
 #include <set>
 #include <thread>
 
-#include "engine/effect_table.hpp"
+#include "engine/profile/cost.hpp"
 #include "engine/profile/profile.hpp"
 #include "engine/profile/trace_recorder.hpp"
 #include "neighbor/parallel.hpp"
@@ -103,18 +103,18 @@ TEST_CASE("traced steps are evenly spaced, and events within bounds") {
 
 TEST_CASE("where effects run is named as steps name it") {
     const std::set<std::string_view> phases(step_phase_names.begin(), step_phase_names.end());
-    for (const EffectRow& row : effect_table()) {
-        INFO(row.info.key);
-        std::string_view places = row.info.places;
+    for (const EffectInfo& effect : effect_table) {
+        INFO(effect.key);
+        std::string_view places = effect.places;
         while (!places.empty()) {
             const std::string_view place = places.substr(0, places.find(", "));
             INFO(place);
             CHECK(phases.count(place.substr(0, place.find('/'))) == 1);
             places.remove_prefix(std::min(places.size(), place.size() + 2));
         }
-        for (const StepPhase p : row.phases) {
+        for (const StepPhase p : phases_for(effect.effect)) {
             INFO("phase of a required effect");
-            CHECK(row.info.places.find(step_phase_names[static_cast<std::size_t>(p)]) != std::string_view::npos);
+            CHECK(effect.places.find(step_phase_names[static_cast<std::size_t>(p)]) != std::string_view::npos);
         }
     }
 }

@@ -1,11 +1,10 @@
-#include "engine/effect_help.hpp"
+#include "engine/effects/effect_help.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "engine/effect_fields.hpp"
-#include "engine/effect_table.hpp"
+#include "engine/effects/effect_fields.hpp"
 
 namespace sluice {
 namespace {
@@ -42,14 +41,13 @@ std::string row(std::string_view name, std::string_view value) { return fmt::for
 
 std::string effect_list() {
     std::size_t key = 0, name = 0;
-    for (const EffectRow& effect : effect_table()) {
-        key = std::max(key, effect.info.key.size());
-        name = std::max(name, effect.info.name.size());
+    for (const EffectInfo& effect : effect_table) {
+        key = std::max(key, effect.key.size());
+        name = std::max(name, effect.name.size());
     }
     std::string text = fmt::format("{:<{}}  {:<{}}  {}\n", "key", key, "effect", name, "\"auto\"");
-    for (const EffectRow& effect : effect_table())
-        text +=
-            fmt::format("{:<{}}  {:<{}}  {}\n", effect.info.key, key, effect.info.name, name, effect.info.automatic);
+    for (const EffectInfo& effect : effect_table)
+        text += fmt::format("{:<{}}  {:<{}}  {}\n", effect.key, key, effect.name, name, effect.automatic);
     return text +
            "\nA scene says `KEY = \"auto\"`, \"on\" or \"off\" under [effects]; `sluice help effects KEY` shows "
            "formula,\n"
@@ -67,20 +65,21 @@ std::string effect_page(const EffectInfo& effect) {
 std::string effects_document() {
     std::string text =
         "# Effects\n\n"
-        "Printed by `sluice help effects --markdown` from the table of effects (`engine/effect_table.cpp`); a test "
+        "Printed by `sluice help effects --markdown` from the table of effects (`engine/effects/names/effects.def`); a "
+        "test "
         "checks\n"
         "that it is up to date.\n\n"
         "`sluice check SCENE` says which of them a scene has on, and why. `[effects] KEY = \"on\"` or `\"off\"` takes "
         "the\n"
         "place of the rule where that can be. Memory is in bytes per particle of the phase, in 2D/3D.\n\n"
         "| key | effect | `\"auto\"` | memory |\n| --- | --- | --- | --- |\n";
-    for (const EffectRow& effect : effect_table())
-        text += fmt::format("| `{}` | {} | {} | {} |\n", effect.info.key, effect.info.name, effect.info.automatic,
-                            phases_text(effect.info));
+    for (const EffectInfo& effect : effect_table)
+        text +=
+            fmt::format("| `{}` | {} | {} | {} |\n", effect.key, effect.name, effect.automatic, phases_text(effect));
     text += "\n## Formulas, sources, fields\n\nSymbols are those of the headers in `kernels/terms/`.\n";
-    for (const EffectRow& effect : effect_table()) {
-        text += fmt::format("\n**`{}`** ({})\n\n    {}\n", effect.info.key, effect.info.equation, effect.info.formula);
-        const std::vector<std::string> lines = column_lines(effect.info);
+    for (const EffectInfo& effect : effect_table) {
+        text += fmt::format("\n**`{}`** ({})\n\n    {}\n", effect.key, effect.equation, effect.formula);
+        const std::vector<std::string> lines = column_lines(effect);
         if (!lines.empty()) text += fmt::format("\nFields: {}.\n", fmt::join(lines, "; "));
     }
     return text;

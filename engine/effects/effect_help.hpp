@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/effects.hpp"
+#include "engine/effects/names/effect_table.hpp"
 
 namespace sluice {
 

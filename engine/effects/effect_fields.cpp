@@ -1,4 +1,4 @@
-#include "engine/effect_fields.hpp"
+#include "engine/effects/effect_fields.hpp"
 
 #include "engine/effects/names/set_id.hpp"
 #include "kernels/columns/column_table.hpp"
@@ -31,8 +31,9 @@ std::vector<ColumnBytes> column_bytes_of(const EffectInfo& effect) {
     for (const SetId set : all_sets)
         for (const ColumnInfo& info : column_table)
             if (effect.needs(set, info.column))
-                columns.push_back({name_of(set), info.name,
-                                   static_cast<std::size_t>(components_of<Dim>(info.rank)) * bytes_of_number(info.rank)});
+                columns.push_back(
+                    {name_of(set), info.name,
+                     static_cast<std::size_t>(components_of<Dim>(info.rank)) * bytes_of_number(info.rank)});
     return columns;
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/effects.hpp"
+#include "engine/effects/names/effect_table.hpp"
 
 namespace sluice {
 
