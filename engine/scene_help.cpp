@@ -15,7 +15,9 @@ std::string with_unit(const std::string& text, const SceneKey& key) {
     return key.value.unit.empty() ? text : fmt::format("{} [{}]", text, key.value.unit);
 }
 
-std::string variables_of(const SceneKey& key) { return fmt::format("{}", fmt::join(words_in(key.value.words), ", ")); }
+std::string variables_of(const SceneKey& key) {
+    return fmt::format("{}", fmt::join(words_in(word_of(key.value.variables)), ", "));
+}
 
 /// What may stand behind the `=`.
 std::string value_text(const SceneKey& key) {
@@ -114,7 +116,7 @@ std::string cell(std::string_view text) {
 std::string document_row(const SceneKey& key) {
     const std::string only = only_text(key);
     std::string meaning = std::string(key.meaning) + (only.empty() ? "" : " (" + only + ")");
-    if (!key.effect.empty() && table_of(key) != "effects") meaning += fmt::format("; effect `{}`", key.effect);
+    if (key.effect && table_of(key) != "effects") meaning += fmt::format("; effect `{}`", info_of(*key.effect).key);
     const std::string value = is_table(key) ? "table" : value_text(key);
     return fmt::format("| `{}` | {} | {} | {} |\n", key_name(key), cell(value), cell(otherwise_text(key)),
                        cell(meaning));
@@ -136,7 +138,7 @@ std::string scene_key_list() {
 std::string scene_key_page(const SceneKey& key) {
     std::string text = fmt::format("{}\n", shown_path(key)) + row("what", key.meaning) + row("value", value_text(key)) +
                        row("without", otherwise_text(key)) + row("only", only_text(key));
-    if (!key.effect.empty()) text += row("effect", fmt::format("`sluice help effects {}`", key.effect));
+    if (key.effect) text += row("effect", fmt::format("`sluice help effects {}`", info_of(*key.effect).key));
     const std::string_view inside = inner_pattern(key);
     const bool is_map = key.value.type == KeyType::names;
     if (!is_table(key) && key.value.type != KeyType::shape) return text;

@@ -40,7 +40,7 @@ Json type_of(const SceneKey& key) {
         case KeyType::whole:
             return ranged("integer", key.value.range);
         case KeyType::word:
-            return {{"enum", words_in(key.value.words)}};
+            return {{"enum", choices_of(key)}};
         case KeyType::vector:
             return array_of(number, 2, 3);
         case KeyType::formula:
@@ -100,7 +100,7 @@ void add_rules_of_kinds(std::string_view pattern, Json& table) {
     const SceneKey* kind = find_scene_key(pattern, "kind");
     if (!kind) return;
     Json* place = &table;
-    for (const std::string& word : words_in(kind->value.words)) {
+    for (const std::string& word : choices_of(*kind)) {
         if (place != &table || table.contains("if")) place = &(*place)["else"];
         (*place)["if"] = {{"properties", {{"kind", {{"const", word}}}}}, {"required", {"kind"}}};
         (*place)["then"] = rule_of_kind(pattern, word);

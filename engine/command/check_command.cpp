@@ -120,7 +120,7 @@ std::string scene_text(const Scene& scene) {
     std::string text = fmt::format("{}: {}\n\n", scene.file, scene.title);
     text += particle_table(simulation) + "\n" + step_table(simulation);
     text += row("memory", memory_text(static_cast<double>(simulation.memory_bytes())));
-    text += row("precision", scene.method.precision);
+    text += row("precision", std::string(word_of(scene.method.precision)));
     text += row("instruction set", std::string(name_of(active_isa())));
     text += row("scene hash", text_hash(scene.source));
     const std::vector<std::string> columns = probes.columns();

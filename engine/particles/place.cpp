@@ -279,8 +279,10 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     allocate(effects, SetId::wall, effects.needs(SetId::wall, Column::position) ? state.wall.id.size() : 0, state);
     if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
     if (effects.has(Effect::no_slip_wall))
-        for (std::size_t i = 0; i < state.wall.owned; ++i)
-            state.wall.friction_volume[i] = scene.walls[state.wall.body[i]].slip ? 0.0 : state.wall.volume[i];
+        for (std::size_t i = 0; i < state.wall.owned; ++i) {
+            const bool slips = scene.walls[state.wall.body[i]].condition == WallCondition::slip;
+            state.wall.friction_volume[i] = slips ? 0.0 : state.wall.volume[i];
+        }
     place_periodic_sides(scene, state);
     if (effects.has(Effect::total_lagrangian)) {
         state.solid.reference_position = state.solid.position;

@@ -64,7 +64,7 @@ std::string bench_json(const SceneBench& bench, const Scene& scene, const Effect
     json["version"] = std::string(program_version());
     json["title"] = scene.title;
     json["scene"] = scene.file;
-    json["precision"] = scene.method.precision;
+    json["precision"] = word_of(scene.method.precision);
     json["particles"] = {{"fluid", bench.fluid}, {"solid", bench.solid}, {"wall", bench.wall}};
     json["memory_bytes"] = bench.field_bytes;
     json["memory_level"] = level.name;

@@ -74,7 +74,7 @@ std::string report_text(const Simulation<Dim>& simulation, const RunRecord& reco
     text += row("wall time", fmt::format("{:.2f} s, of which set-up {:.2f} s{}", record.wall_seconds,
                                          record.setup_seconds, disk_wait(record)));
     text += row("CPU time", fmt::format("{:.2f} s, {} threads, {}, {} precision", record.cpu_seconds, record.threads,
-                                        name_of(active_isa()), simulation.scene().method.precision));
+                                        name_of(active_isa()), word_of(simulation.scene().method.precision)));
     text += row("peak memory", memory_text(static_cast<double>(peak_memory_bytes())));
     if (simulation.fluid().owned > 0)
         text += row("highest fluid speed",

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -64,7 +63,7 @@ void add_cost(Json& json, const Simulation<Dim>& simulation, const RunRecord& re
     json["particle_steps_per_second"] = record.rate(static_cast<double>(work.particle_steps));
     json["pairs_per_second"] = record.rate(static_cast<double>(work.pairs));
     json["threads"] = record.threads;
-    json["precision"] = simulation.scene().method.precision;
+    json["precision"] = word_of(simulation.scene().method.precision);
     json["instruction_set"] = name_of(active_isa());
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["memory_bytes"] = simulation.memory_bytes();
@@ -82,13 +81,8 @@ void add_quality(Json& json, const Simulation<Dim>& simulation, const RunRecord&
 }
 
 void add_watch(Json& json, const Scene& scene, const RunRecord& record) {
-    constexpr std::array<std::string_view, 3> policies{"stop", "retry", "warn"};
-    json = {{"policy", policies[static_cast<std::size_t>(scene.watch)]},
-            {"looks", record.looks},
-            {"snapshots", record.snapshots},
-            {"seconds", record.watch_seconds},
-            {"retries", record.retry_count},
-            {"retried", Json::array()},
+    json = {{"policy", word_of(scene.watch)},  {"looks", record.looks},         {"snapshots", record.snapshots},
+            {"seconds", record.watch_seconds}, {"retries", record.retry_count}, {"retried", Json::array()},
             {"warnings", Json::array()}};
     for (const Retry& r : record.retries)
         json["retried"].push_back({{"step", r.step}, {"time", r.time}, {"message", r.message}});

@@ -73,23 +73,34 @@ Body read_body(TomlTable& table, const std::string& name) {
     return body;
 }
 
+void read_mirror(TomlTable& table, Wall& wall) {
+    wall.point = table.get("point").point();
+    const TomlValue normal = table.get("normal");
+    wall.normal = normal.point();
+    const double length = std::hypot(wall.normal[0], wall.normal[1], wall.normal[2]);
+    if (!(length > 0)) normal.fail("found a vector of length 0, expected a direction into the fluid");
+    for (double& component : wall.normal) component /= length;
+}
+
+void read_fixed(TomlTable& table, Wall& wall) {
+    wall.shape = read_shape(table.get("shape"));
+    wall.spacing = read_spacing(table);
+    if (const auto motion = table.get("motion")) wall.motion = read_motion(motion);
+    if (const auto v = table.get("condition")) wall.condition = v.choice<WallCondition>();
+}
+
 Wall read_wall(TomlTable& table, const std::string& name) {
     check_name(table, name);
     Wall wall;
     wall.name = name;
-    wall.kind = table.get("kind").word() == 0 ? WallKind::mirror : WallKind::fixed;
-    if (wall.kind == WallKind::fixed) {
-        wall.shape = read_shape(table.get("shape"));
-        wall.spacing = read_spacing(table);
-        if (const auto motion = table.get("motion")) wall.motion = read_motion(motion);
-        if (const auto v = table.get("condition")) wall.slip = v.word() == 0;
-    } else {
-        wall.point = table.get("point").point();
-        const TomlValue normal = table.get("normal");
-        wall.normal = normal.point();
-        const double length = std::hypot(wall.normal[0], wall.normal[1], wall.normal[2]);
-        if (!(length > 0)) normal.fail("found a vector of length 0, expected a direction into the fluid");
-        for (double& component : wall.normal) component /= length;
+    wall.kind = table.get("kind").choice<WallKind>();
+    switch (wall.kind) {
+        case WallKind::mirror:
+            read_mirror(table, wall);
+            break;
+        case WallKind::fixed:
+            read_fixed(table, wall);
+            break;
     }
     table.finish();
     return wall;
@@ -99,11 +110,7 @@ Wall read_wall(TomlTable& table, const std::string& name) {
 
 Formula read_formula(const TomlValue& value) {
     const Formula formula = value.node()->is_number() ? fmt::format("{}", value.number()) : value.text();
-    const std::string_view variables = value.key().value.words;
-    const Variable variable = variables == "t"       ? Variable::time
-                              : variables == "x y z" ? Variable::place
-                                                     : Variable::place_and_time;
-    CompiledFormula(value.scene(), value.path(), formula, variable);
+    CompiledFormula(value.scene(), value.path(), formula, value.key().value.variables);
     return formula;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/scene/excerpt.hpp"
+#include "engine/scene/scene_key.hpp"
 
 namespace sluice {
 namespace {
@@ -35,11 +36,25 @@ struct CompiledFormula::Impl {
 
     /// `message` with the key, what was found, and what may be used.
     [[noreturn]] void fail(const std::string& problem) const {
-        std::string names = variable == Variable::place  ? "x, y, z, pi"
-                            : variable == Variable::time ? "t, pi"
-                                                         : "x, y, z, t, pi";
+        std::string names = fmt::format("{}, pi", fmt::join(words_in(word_of(variable)), ", "));
         for (const auto& [name, value] : scene->constants) names += ", " + name;
         scene->fail(key, fmt::format("found \"{}\": {}, expected a formula in {}", excerpt(text), problem, names));
+    }
+
+    void define_variables() {
+        switch (variable) {
+            case Variable::time:
+                parser.DefineVar("t", &at[0]);
+                return;
+            case Variable::place:
+                break;
+            case Variable::place_and_time:
+                parser.DefineVar("t", &time);
+                break;
+        }
+        parser.DefineVar("x", &at[0]);
+        parser.DefineVar("y", &at[1]);
+        parser.DefineVar("z", &at[2]);
     }
 
     /// What the action returns; muParser's own complaints become scene errors.
@@ -70,15 +85,8 @@ CompiledFormula::CompiledFormula(const Scene& scene, std::string key, const Form
     impl_->key = std::move(key);
     impl_->text = text;
     impl_->variable = variable;
+    impl_->define_variables();
     mu::Parser& parser = impl_->parser;
-    if (variable == Variable::time) {
-        parser.DefineVar("t", &impl_->at[0]);
-    } else {
-        parser.DefineVar("x", &impl_->at[0]);
-        parser.DefineVar("y", &impl_->at[1]);
-        parser.DefineVar("z", &impl_->at[2]);
-        if (variable == Variable::place_and_time) parser.DefineVar("t", &impl_->time);
-    }
     parser.DefineConst("pi", std::numbers::pi);
     for (const auto& [name, value] : scene.constants) parser.DefineConst(name, value);
     impl_->guarded([&] { parser.SetExpr(text.empty() ? "0" : text); });
@@ -93,10 +101,15 @@ CompiledFormula& CompiledFormula::operator=(CompiledFormula&&) noexcept = defaul
 double CompiledFormula::operator()(const Point& p) const {
     impl_->at = p;
     const double value = impl_->evaluate();
-    if (!std::isfinite(value))
-        impl_->fail(impl_->variable == Variable::place ? fmt::format("{} at ({}, {}, {})", value, p[0], p[1], p[2])
-                                                       : fmt::format("{} at t = {} s", value, p[0]));
-    return value;
+    if (std::isfinite(value)) return value;
+    switch (impl_->variable) {
+        case Variable::time:
+            impl_->fail(fmt::format("{} at t = {} s", value, p[0]));
+        case Variable::place:
+        case Variable::place_and_time:
+            break;
+    }
+    impl_->fail(fmt::format("{} at ({}, {}, {})", value, p[0], p[1], p[2]));
 }
 
 double CompiledFormula::at(const Point& p, double t) const {

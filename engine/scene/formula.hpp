@@ -8,9 +8,6 @@
 
 namespace sluice {
 
-/// What a formula depends on: x, y and z, or t, or all four.
-enum class Variable { place, time, place_and_time };
-
 /// Knows its variables, pi, the scene's [constants] and muParser's functions. Must not outlive the scene; one thread at
 /// a time.
 class CompiledFormula {

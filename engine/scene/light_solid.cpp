@@ -44,7 +44,9 @@ LightSolid light_solid(const Scene& scene) {
 }
 
 void damp_light_solid(Scene& scene) {
-    if (!scene.method.multi_rate || scene.lines.contains("method.solid.artificial_viscosity")) return;
+    if (scene.method.time_stepping != TimeStepping::multi_rate ||
+        scene.lines.contains("method.solid.artificial_viscosity"))
+        return;
     const bool hypoelastic = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
         return m.kind == MaterialKind::solid && m.model == SolidModel::hypoelastic;
     });

@@ -7,6 +7,28 @@ namespace {
 
 constexpr std::string_view moduli = "either youngs_modulus and poisson_ratio, or bulk_modulus and shear_modulus";
 
+/// γ of the equation of state.
+double pressure_exponent(PressureLaw law) {
+    switch (law) {
+        case PressureLaw::linear:
+            return 1;
+        case PressureLaw::tait:
+            return 7;  // water's
+    }
+    return {};
+}
+
+/// What a preset makes of solids.
+SolidModel model_of(Preset preset) {
+    switch (preset) {
+        case Preset::paper:
+            return SolidModel::hypoelastic;
+        case Preset::modern:
+            return SolidModel::saint_venant_kirchhoff;
+    }
+    return {};
+}
+
 /// Two elastic constants fix an isotropic solid; both pairs in use lead to K and μ.
 void read_moduli(TomlTable& table, Material& material) {
     const TomlValue youngs = table.get("youngs_modulus"), poisson = table.get("poisson_ratio");
@@ -32,22 +54,32 @@ void read_moduli(TomlTable& table, Material& material) {
     material.sound_speed = std::sqrt(bulk_modulus / material.density);
 }
 
+void read_fluid(TomlTable& table, Material& material) {
+    material.sound_speed = table.get("sound_speed").number();
+    if (const auto v = table.get("viscosity")) material.viscosity = v.number();
+    if (const auto v = table.get("equation_of_state"))
+        material.pressure_exponent = pressure_exponent(v.choice<PressureLaw>());
+}
+
+void read_solid(TomlTable& table, Material& material) {
+    material.model = model_of(table.scene().method.preset);
+    if (const auto v = table.get("model")) material.model = v.choice<SolidModel>();
+    read_moduli(table, material);
+}
+
 Material read_material(TomlTable& table, const std::string& name) {
     check_name(table, name);
     Material material;
     material.name = name;
-    material.kind = table.get("kind").word() == 0 ? MaterialKind::fluid : MaterialKind::solid;
+    material.kind = table.get("kind").choice<MaterialKind>();
     material.density = table.get("density").number();
-    if (material.kind == MaterialKind::fluid) {
-        material.sound_speed = table.get("sound_speed").number();
-        if (const auto v = table.get("viscosity")) material.viscosity = v.number();
-        if (const auto v = table.get("equation_of_state"))
-            material.pressure_exponent = v.word() == 0 ? 1 : 7;  // water's exponent
-    } else {
-        material.model =
-            table.scene().method.preset == Preset::paper ? SolidModel::hypoelastic : SolidModel::saint_venant_kirchhoff;
-        if (const auto v = table.get("model")) material.model = static_cast<SolidModel>(v.word());
-        read_moduli(table, material);
+    switch (material.kind) {
+        case MaterialKind::fluid:
+            read_fluid(table, material);
+            break;
+        case MaterialKind::solid:
+            read_solid(table, material);
+            break;
     }
     table.finish();
     return material;

@@ -1,4 +1,8 @@
+#include <optional>
+#include <type_traits>
+
 #include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/method_keys.hpp"
 #include "engine/scene/reader_parts.hpp"
 
 namespace sluice {
@@ -23,8 +27,8 @@ Method modern_method() {
     m.step_size = StepSize::adaptive;
     m.courant = 0.75;  // with the acoustic damping: 0.5 and 0.9 together are unstable in thin films
     m.coupling = CouplingScheme::moving_boundary;
-    m.precision = "mixed";
-    m.multi_rate = true;
+    m.precision = Precision::mixed;
+    m.time_stepping = TimeStepping::multi_rate;
     m.fluid = {.velocity_filter = 1,
                .density_diffusion = DensityDiffusion::fourtakas,
                .acoustic_damping = 0.3,
@@ -35,67 +39,50 @@ Method modern_method() {
     return m;
 }
 
-/// A word, of which the table of keys has one for each of an enumeration's values, in their order; `to` is kept if the
-/// key is absent.
+Method method_of(Preset preset) {
+    switch (preset) {
+        case Preset::paper:
+            return paper_method();
+        case Preset::modern:
+            return modern_method();
+    }
+    return {};
+}
+
+void assign(const TomlValue& value, double& to) { to = value.number(); }
+void assign(const TomlValue& value, int& to) { to = value.whole(); }
+void assign(const TomlValue& value, std::optional<double>& to) { to = value.number(); }
 template <class Enum>
-void read_choice(TomlTable& table, const std::string& key, Enum& to) {
-    if (const auto v = table.get(key)) to = static_cast<Enum>(v.word());
-}
+requires std::is_enum_v<Enum>
+void assign(const TomlValue& value, Enum& to) { to = value.choice<Enum>(); }
 
-void read_fluid(TomlTable& method, MediumMethod& fluid) {
-    const TomlValue value = method.get("fluid");
-    if (!value) return;
-    TomlTable table(value);
-    if (const auto v = table.get("velocity_filter")) fluid.velocity_filter = v.number();
-    if (const auto v = table.get("artificial_viscosity")) fluid.artificial_viscosity = v.number();
-    if (const auto v = table.get("viscous_form"))
-        fluid.viscous_form = v.word() == 0 ? Viscosity::morris : Viscosity::monaghan_gingold;
-    read_choice(table, "density_diffusion", fluid.density_diffusion);
-    if (const auto v = table.get("acoustic_damping")) fluid.acoustic_damping = v.number();
-    if (const auto v = table.get("particle_shifting")) fluid.shifting = v.number();
-    if (const auto v = table.get("diffusion_coefficient")) fluid.diffusion_coefficient = v.number();
-    table.finish();
-}
-
-void read_solid(TomlTable& method, MediumMethod& solid) {
-    const TomlValue value = method.get("solid");
-    if (!value) return;
-    TomlTable table(value);
-    if (const auto v = table.get("velocity_filter")) solid.velocity_filter = v.number();
-    if (const auto v = table.get("artificial_viscosity")) solid.artificial_viscosity = v.number();
-    if (const auto v = table.get("artificial_stress")) solid.artificial_stress = v.number();
-    if (const auto v = table.get("artificial_stress_exponent")) solid.artificial_stress_exponent = v.whole();
-    if (const auto v = table.get("hourglass_control")) solid.hourglass_control = v.number();
-    table.finish();
-}
-
-void read_time(TomlTable& table, Method& method) {
-    read_choice(table, "integrator", method.integrator);
-    read_choice(table, "step_size", method.step_size);
-    if (const auto v = table.get("courant")) method.courant = v.number();
-    if (const auto v = table.get("time_step")) method.time_step = v.number();
-    if (const auto v = table.get("time_stepping")) method.multi_rate = v.word() == 1;
+/// For keys of this table: what is absent stays as it is, unless it is required.
+auto reader_of(TomlTable& table) {
+    return [&table](const char* key, auto& to) {
+        const TomlValue value = table.get(key);
+        if (value || value.key().otherwise.kind == Otherwise::Kind::required) assign(value, to);
+    };
 }
 
 }  // namespace
 
 void read_method(TomlTable& root) {
     TomlTable table(root.get("method"));
-    Method& method = root.scene().method;
     // A preset sets every choice; each can then be changed by itself.
-    Preset preset = Preset::modern;
-    read_choice(table, "preset", preset);
-    method = preset == Preset::paper ? paper_method() : modern_method();
-    method.spacing = table.get("spacing").number();
-    read_choice(table, "smoothing_function", method.smoothing_function);
-    if (const auto v = table.get("smoothing_length")) method.smoothing_length = v.number();
-    read_choice(table, "coupling", method.coupling);
-    if (const auto v = table.get("precision")) method.precision = v.word() == 0 ? "double" : "mixed";
-    read_time(table, method);
-    if (const auto v = table.get("mach_limit")) method.mach_limit = v.number();
-    if (const auto v = table.get("expected_speed")) method.expected_speed = v.number();
-    read_fluid(table, method.fluid);
-    read_solid(table, method.solid);
+    const TomlValue preset = table.get("preset");
+    Method& method = root.scene().method;
+    method = method_of(preset ? preset.choice<Preset>() : Preset::modern);
+    for_each_method_key(method, reader_of(table));
+    if (const TomlValue fluid = table.get("fluid")) {
+        TomlTable keys(fluid);
+        for_each_fluid_key(method.fluid, reader_of(keys));
+        keys.finish();
+    }
+    if (const TomlValue solid = table.get("solid")) {
+        TomlTable keys(solid);
+        for_each_solid_key(method.solid, reader_of(keys));
+        keys.finish();
+    }
     table.finish();
 }
 
@@ -104,8 +91,7 @@ void read_effects(TomlTable& root) {
     if (!value) return;
     TomlTable table(value);
     for (const EffectInfo& info : effect_table)
-        if (const auto v = table.get(std::string(info.key)))
-            root.scene().switches[info.effect] = static_cast<Switch>(v.word());
+        if (const auto v = table.get(std::string(info.key))) root.scene().switches[info.effect] = v.choice<Switch>();
     table.finish();
 }
 

@@ -41,7 +41,7 @@ Probe read_probe(TomlTable& table, const std::string& name) {
     check_name(table, name);
     Probe probe;
     probe.name = name;
-    probe.kind = static_cast<ProbeKind>(table.get("kind").word());
+    probe.kind = table.get("kind").choice<ProbeKind>();
     switch (probe.kind) {
         case ProbeKind::displacement:
             probe.body = read_solid_of(table.get("body"));

@@ -85,7 +85,7 @@ void read_watch(TomlTable& root) {
     const TomlValue value = root.get("watch");
     if (!value) return;
     TomlTable table(value);
-    if (const auto v = table.get("policy")) root.scene().watch = static_cast<WatchPolicy>(v.word());
+    if (const auto v = table.get("policy")) root.scene().watch = v.choice<WatchPolicy>();
     table.finish();
 }
 

@@ -5,13 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/choices.hpp"
+
 namespace sluice {
-
-/// How a curve is compared with its reference: point by point (rms, max), or by one number that both have.
-enum class Measure { rms, max, peak, peak_time, period, final, mean };
-
-/// Names as scenes have them, in the order of Measure.
-const std::vector<std::string>& measure_names();
 
 /// Whether curves are compared point by point.
 inline bool is_pointwise(Measure measure) { return measure == Measure::rms || measure == Measure::max; }

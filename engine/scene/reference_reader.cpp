@@ -9,7 +9,6 @@
 #include "engine/scene/number_table.hpp"
 #include "engine/scene/probe_columns.hpp"
 #include "engine/scene/reader_parts.hpp"
-#include "engine/scene/scene_keys.hpp"
 #include "engine/scene/suggestion.hpp"
 
 namespace sluice {
@@ -101,7 +100,7 @@ void read_truth(TomlTable& table, Reference& reference) {
         number.fail(
             fmt::format("found one number for a measure of a whole curve, expected a formula or a table, or "
                         "another measure than {}",
-                        measure_names()[static_cast<std::size_t>(reference.measure)]));
+                        word_of(reference.measure)));
     reference.number = number.number();
 }
 
@@ -110,7 +109,7 @@ Reference read_reference(TomlTable& table, const std::string& name) {
     Reference reference;
     reference.name = name;
     reference.column = read_column(table.get("probe"));
-    if (const auto v = table.get("measure")) reference.measure = static_cast<Measure>(v.word());
+    if (const auto v = table.get("measure")) reference.measure = v.choice<Measure>();
     read_truth(table, reference);
     if (const auto v = table.get("from")) reference.from = v.number();
     if (const auto v = table.get("to")) {
@@ -129,11 +128,6 @@ Reference read_reference(TomlTable& table, const std::string& name) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& measure_names() {
-    static const std::vector<std::string> names = words_in(resolve_scene_key("reference.*.measure")->value.words);
-    return names;
-}
 
 void read_references(TomlTable& root) {
     const TomlValue value = root.get("reference");

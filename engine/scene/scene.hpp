@@ -10,16 +10,10 @@
 #include "engine/effects/names/effect.hpp"
 #include "engine/errors.hpp"
 #include "engine/geometry/shape.hpp"
+#include "engine/scene/choices.hpp"
 #include "engine/scene/reference.hpp"
-#include "kernels/choices.hpp"
 
 namespace sluice {
-
-enum class MaterialKind { fluid, solid };
-
-/// How a solid's stress follows from its motion: by rates in the deformed body, as in the paper, or from its reference
-/// configuration (total Lagrangian).
-enum class SolidModel { hypoelastic, saint_venant_kirchhoff, neo_hookean };
 
 struct Material {
     std::string name;
@@ -50,8 +44,6 @@ struct Body {
     Formula pressure;  ///< initial, of a fluid, on top of the hydrostatic one [Pa]
 };
 
-enum class WallKind { mirror, fixed };
-
 /// How a wall moves: its displacement as formulas in t, or as a table between whose rows it moves uniformly.
 struct Motion {
     std::array<Formula, 3> displacement;  ///< [m]
@@ -64,15 +56,13 @@ struct Motion {
 struct Wall {
     std::string name;
     WallKind kind = WallKind::mirror;
-    Point point{};       ///< mirror: a point of the plane [m]
-    Point normal{};      ///< mirror: unit normal into the fluid
-    ShapePtr shape;      ///< fixed: filled with layers of fixed ghost particles
-    Motion motion;       ///< fixed
-    bool slip = true;    ///< fixed: whether a viscous fluid slips along it
-    double spacing = 0;  ///< fixed: [m]
+    Point point{};                                  ///< mirror: a point of the plane [m]
+    Point normal{};                                 ///< mirror: unit normal into the fluid
+    ShapePtr shape;                                 ///< fixed: filled with layers of fixed ghost particles
+    Motion motion;                                  ///< fixed
+    WallCondition condition = WallCondition::slip;  ///< fixed
+    double spacing = 0;                             ///< fixed: [m]
 };
-
-enum class ProbeKind { displacement, pressure, water_level, energy, momentum, force, velocity_error };
 
 struct Probe {
     std::string name;
@@ -96,37 +86,23 @@ struct MediumMethod {
     double hourglass_control = 0.85;  ///< ζ of kernels/passes/total_lagrangian_passes.hpp, which says why 0.85
 };
 
-enum class Preset { paper, modern };
-enum class Integrator { staggered_euler, kick_drift_kick };
-enum class StepSize { fixed, adaptive };
-/// How fluid and solid feel each other: by a pressure on the elements of their interface (paper), or with the solid's
-/// particles as the fluid's moving boundary.
-enum class CouplingScheme { interface_force, moving_boundary };
-
 struct Method {
     Preset preset = Preset::paper;
     SmoothingFunction smoothing_function = SmoothingFunction::cubic_spline;
     Integrator integrator = Integrator::staggered_euler;
     StepSize step_size = StepSize::fixed;
     CouplingScheme coupling = CouplingScheme::interface_force;
-    double spacing = 0;                ///< reference spacing d [m]; bodies may state their own
-    double smoothing_length = 1.5;     ///< h / d
-    double courant = 0.9;              ///< dt = courant · h / c0, smallest over the media
-    std::optional<double> time_step;   ///< fixed dt [s] in place of the Courant limit
-    std::string precision = "double";  ///< of the pair arithmetic: double | mixed
-    bool multi_rate = false;           ///< each medium at its own Courant limit, else all at the smallest
+    double spacing = 0;               ///< reference spacing d [m]; bodies may state their own
+    double smoothing_length = 1.5;    ///< h / d
+    double courant = 0.9;             ///< dt = courant · h / c0, smallest over the media
+    std::optional<double> time_step;  ///< fixed dt [s] in place of the Courant limit
+    Precision precision = Precision::full;
+    TimeStepping time_stepping = TimeStepping::single_rate;
     double mach_limit = 0.1;
     std::optional<double> expected_speed;  ///< highest fluid speed expected [m/s]; none = estimated from the scene
     MediumMethod fluid;
     MediumMethod solid;
 };
-
-/// What to do when the computation breaks down: stop; go back to the last good state and on with half the step; or, as
-/// long as numbers are finite, go on.
-enum class WatchPolicy { stop, retry, warn };
-
-/// What a scene may say of an effect in [effects].
-enum class Switch { automatic, on, off };
 
 struct OutputTimes {
     double end = 0;                  ///< simulated time to run to [s]

@@ -24,7 +24,7 @@ std::string plain_expectation(const SceneKey& key, int dimension) {
         case KeyType::whole:
             return fmt::format("a whole number from {} to {}", value.range.low, value.range.high);
         case KeyType::word:
-            return one_of(words_in(value.words));
+            return one_of(choices_of(key));
         case KeyType::vector:
             return dimension == 2 ? "2 numbers [x, y]" : "3 numbers [x, y, z]";
         case KeyType::formula:
@@ -86,6 +86,8 @@ std::vector<std::string> words_in(std::string_view text) {
     }
     return words;
 }
+
+std::vector<std::string> choices_of(const SceneKey& key) { return {key.value.words.begin(), key.value.words.end()}; }
 
 std::string expected_text(const SceneKey& key, int dimension) {
     const std::string text = plain_expectation(key, dimension);

@@ -2,9 +2,14 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/choices.hpp"
 
 namespace sluice {
 
@@ -43,8 +48,9 @@ enum class KeyType {
 struct KeyValue {
     KeyType type = KeyType::text;
     std::string_view unit = "";
-    NumberRange range = {};       ///< of numbers
-    std::string_view words = "";  ///< apart by spaces: the words to choose from; a formula's variables
+    NumberRange range = {};                        ///< of numbers
+    std::span<const std::string_view> words = {};  ///< to choose from: the word_list of an enumeration
+    Variable variables = Variable::place;          ///< of a formula
 };
 
 /// What holds where a scene leaves a key out.
@@ -63,7 +69,7 @@ struct SceneKey {
     /// In a table with `kind`: the kinds that it belongs to, apart by spaces, with `?` where it is not required.
     /// Elsewhere in words, as "2D". Empty = always.
     std::string_view only = "";
-    std::string_view effect = "";  ///< key of the effect that it is for; empty = none in particular
+    std::optional<Effect> effect = {};  ///< that it is for; none = none in particular
 };
 
 /// The table that the key stands in: "bodies.*"; empty for the top level.
@@ -77,6 +83,9 @@ std::string shown_pattern(std::string_view pattern);
 
 /// `text` at its spaces.
 std::vector<std::string> words_in(std::string_view text);
+
+/// The words to choose from.
+std::vector<std::string> choices_of(const SceneKey& key);
 
 /// "a number > 0 [m]": what a message tells of the values that the key takes in a scene of this dimension.
 std::string expected_text(const SceneKey& key, int dimension);

@@ -15,8 +15,8 @@ void add_effects(std::vector<SceneKey>& keys) {
     static std::deque<std::string> paths;  // which stay where they are
     for (const EffectInfo& info : effect_table) {
         paths.push_back("effects." + std::string(info.key));
-        keys.push_back({paths.back(), KeyValue{.type = KeyType::word, .words = "auto on off"},
-                        Otherwise{Otherwise::Kind::value, "\"auto\""}, info.name, "", info.key});
+        keys.push_back({paths.back(), KeyValue{.type = KeyType::word, .words = word_list<Switch>},
+                        Otherwise{Otherwise::Kind::value, quoted_word<Switch::automatic>}, info.name, "", info.effect});
     }
 }
 

@@ -64,7 +64,7 @@ ShapePtr read_polygon(const TomlValue& value) { return make_polygon(read_vertice
 ShapePtr read_extrusion(const TomlValue& value) {
     TomlTable table(value);
     const TomlValue vertices = table.get("polygon");
-    const std::size_t axis = table.get("axis").word();
+    const auto axis = static_cast<std::size_t>(table.get("axis").choice<Direction>());
     std::vector<Point> polygon = read_vertices(vertices, axes_across(axis));
     const TomlValue from = table.get("from"), to = table.get("to");
     const Interval along{from.number(), to.number()};

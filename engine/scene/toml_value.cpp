@@ -43,8 +43,11 @@ TomlValue::TomlValue(const TomlValue& array, const toml::node& item, std::size_t
 }
 
 void TomlValue::must_be(std::initializer_list<KeyType> types) const {
-    if (std::find(types.begin(), types.end(), key_->value.type) == types.end())
-        throw std::logic_error(fmt::format("{} is read as another type than the table of keys has", path_));
+    if (std::find(types.begin(), types.end(), key_->value.type) == types.end()) refuse_type();
+}
+
+void TomlValue::refuse_type() const {
+    throw std::logic_error(fmt::format("{} is read as another type than the table of keys has", path_));
 }
 
 double TomlValue::number() const {
@@ -71,9 +74,10 @@ std::string TomlValue::text() const {
     return node_->as_string()->get();
 }
 
-std::size_t TomlValue::word() const {
+std::size_t TomlValue::index_of_word(std::span<const std::string_view> words) const {
     must_be({KeyType::word});
-    return index_in(words_in(key_->value.words));
+    if (words.data() != key_->value.words.data()) refuse_type();
+    return index_in(choices_of(*key_));
 }
 
 std::size_t TomlValue::name(const std::vector<std::string>& names) const {

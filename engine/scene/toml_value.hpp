@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,11 @@ class TomlValue {
     double number() const;
     int whole() const;
     std::string text() const;
-    /// Index of the word, among those that the key may have.
-    std::size_t word() const;
+    /// What the word stands for.
+    template <class Enum>
+    Enum choice() const {
+        return words_of<Enum>[index_of_word(word_list<Enum>)].value;
+    }
     /// Index of the name that the text equals.
     std::size_t name(const std::vector<std::string>& names) const;
     /// As many numbers as the scene has dimensions.
@@ -53,6 +57,9 @@ class TomlValue {
     TomlValue(const TomlValue& array, const toml::node& item, std::size_t index);
     /// Throws std::logic_error unless the key has one of these types.
     void must_be(std::initializer_list<KeyType> types) const;
+    [[noreturn]] void refuse_type() const;
+    /// Throws std::logic_error unless these are the words of the key.
+    std::size_t index_of_word(std::span<const std::string_view> words) const;
     std::size_t index_in(const std::vector<std::string>& options) const;
 
     const toml::node* node_;

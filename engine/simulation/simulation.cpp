@@ -156,7 +156,7 @@ struct Simulation<Dim>::Impl {
     }
 
     PairMethod<Dim> pair_method() const {
-        return {scene.method.precision == "mixed" ? Precision::mixed : Precision::full, smoothing};
+        return {scene.method.precision, smoothing};
     }
 
     Scene scene;

@@ -8,8 +8,10 @@
 #include <charconv>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 
 #include "engine/base/text_hash.hpp"
+#include "engine/scene/method_keys.hpp"
 
 namespace sluice {
 namespace {
@@ -61,33 +63,24 @@ std::string text_of(const toml::node& node) {
     return text.str();
 }
 
-std::string from_method(const Method& m, const std::string& key) {
-    const auto word = [](auto choice, std::initializer_list<const char*> names) {
-        return std::string(names.begin()[static_cast<std::size_t>(choice)]);
+std::string text_of(double value) { return fmt::format("{}", value); }
+std::string text_of(int value) { return fmt::format("{}", value); }
+std::string text_of(const std::optional<double>& value) { return value ? text_of(*value) : ""; }
+template <class Enum>
+requires std::is_enum_v<Enum> std::string text_of(Enum value) { return std::string(word_of(value)); }
+
+/// What the method has at a key of [method], as the file or the preset has set it; empty without it.
+std::string from_method(const Method& method, std::string_view key) {
+    std::string found;
+    const auto look_in = [&](std::string_view table) {
+        return [&, table](std::string_view name, const auto& value) {
+            if (key.starts_with(table) && key.substr(table.size()) == name) found = text_of(value);
+        };
     };
-    const auto number = [](double value) { return fmt::format("{}", value); };
-    if (key == "preset") return word(m.preset, {"paper", "modern"});
-    if (key == "precision") return m.precision;
-    if (key == "smoothing_function")
-        return word(m.smoothing_function, {"cubic-spline", "wendland-c2", "wendland-c4", "quintic-spline"});
-    if (key == "integrator") return word(m.integrator, {"staggered-euler", "kick-drift-kick"});
-    if (key == "step_size") return word(m.step_size, {"fixed", "adaptive"});
-    if (key == "coupling") return word(m.coupling, {"interface-force", "moving-boundary"});
-    if (key == "time_stepping") return m.multi_rate ? "multi-rate" : "single-rate";
-    if (key == "spacing") return number(m.spacing);
-    if (key == "smoothing_length") return number(m.smoothing_length);
-    if (key == "courant") return number(m.courant);
-    if (key == "fluid.velocity_filter") return number(m.fluid.velocity_filter);
-    if (key == "fluid.artificial_viscosity") return number(m.fluid.artificial_viscosity);
-    if (key == "fluid.acoustic_damping") return number(m.fluid.acoustic_damping);
-    if (key == "fluid.particle_shifting") return number(m.fluid.shifting);
-    if (key == "fluid.diffusion_coefficient") return number(m.fluid.diffusion_coefficient);
-    if (key == "fluid.density_diffusion")
-        return word(m.fluid.density_diffusion, {"none", "molteni-colagrossi", "fourtakas", "antuono"});
-    if (key == "solid.artificial_viscosity") return number(m.solid.artificial_viscosity);
-    if (key == "solid.artificial_stress") return number(m.solid.artificial_stress);
-    if (key == "solid.hourglass_control") return number(m.solid.hourglass_control);
-    return "";
+    for_each_method_key(method, look_in(""));
+    for_each_fluid_key(method.fluid, look_in("fluid."));
+    for_each_solid_key(method.solid, look_in("solid."));
+    return found;
 }
 
 /// Takes out a key; tables that become empty go with it, so that an absent one is the same.
@@ -155,7 +148,7 @@ std::string method_name(const std::vector<Axis>& axes, const std::vector<std::st
     std::string name;
     for (std::size_t k = 0; k < axes.size(); ++k)
         if (axes[k].key != spacing_key_name) name += (name.empty() ? "" : ", ") + named_value(axes[k].key, values[k]);
-    if (name.empty()) name = value_in_scene(scene, "method.preset") + ", " + scene.method.precision;
+    if (name.empty()) name = value_in_scene(scene, "method.preset") + ", " + text_of(scene.method.precision);
     return name;
 }
 

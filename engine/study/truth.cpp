@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/scene/formula.hpp"
@@ -100,9 +99,7 @@ double scale_of(const Scene& scene, const Reference& reference) {
 }
 
 std::string meaning_of(const Reference& reference) {
-    constexpr std::array<const char*, 7> words{"RMS distance", "largest distance", "peak",          "time of the peak",
-                                               "period",       "value at the end", "mean over time"};
-    std::string text = fmt::format("{} of {}", words[static_cast<std::size_t>(reference.measure)], reference.column);
+    std::string text = fmt::format("{} of {}", long_name_of(reference.measure), reference.column);
     const char* from = is_pointwise(reference.measure) ? "from" : "against";
     if (reference.number)
         text += fmt::format(" {} {:.6g}", from, *reference.number);

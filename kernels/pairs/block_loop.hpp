@@ -1,16 +1,13 @@
 // What the loop over a block's pairs is given, and where it is found: once per instruction set and precision.
 #pragma once
 
+#include "kernels/choices.hpp"
 #include "kernels/pairs/particle_view.hpp"
 #include "kernels/smoothing.hpp"
 #include "neighbor/isa.hpp"
 #include "neighbor/neighbor_list.hpp"
 
 namespace sluice {
-
-/// In what the arithmetic of pairs is done. State is double in both; in mixed precision the sums over a row, a few
-/// dozen pairs, are single too.
-enum class Precision { full, mixed };
 
 /// How all pairs of a run are computed.
 template <int Dim>

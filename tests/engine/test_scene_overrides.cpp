@@ -14,7 +14,7 @@ TEST_CASE("the command line changes single values", "[scene][overrides]") {
                     "gravity=[0, -1]", "title=dam break", "bodies.gate.spacing=5e-4", "constants.kL=2"});
     CHECK(s.method.courant == 0.25);
     CHECK(s.method.fluid.artificial_viscosity == 0.1);
-    CHECK(s.method.precision == "mixed");
+    CHECK(s.method.precision == Precision::mixed);
     CHECK(s.gravity == Point{0, -1, 0});
     CHECK(s.title == "dam break");
     CHECK(s.bodies[1].spacing == 5e-4);

@@ -1,6 +1,7 @@
 // What a study will run, what it keeps, and what it tells.
 #include <fstream>
 
+#include "engine/scene/scene_keys.hpp"
 #include "engine/study/advice.hpp"
 #include "engine/study/matrix.hpp"
 #include "engine/study/plan.hpp"
@@ -47,6 +48,26 @@ TEST_CASE("Axes are split at commas outside brackets, factors taken of what the 
     CHECK_THAT(error("method.spacing=1,1.0"), Contains("found 1.0 twice"));
     CHECK_THAT(error("method.spacing=x-1"), Contains("found the factor x-1, expected a number > 0"));
     CHECK_THAT(error("title=x2"), Contains("but the scene has no number at title"));
+}
+
+TEST_CASE("What a scene has at a key of the method is known where only the preset states it", "[study]") {
+    for (const std::string preset : {"modern", "paper"}) {
+        const Scene scene = load(gate, {"method.preset=" + preset});
+        int compared = 0;
+        for (const SceneKey& key : scene_keys()) {
+            const std::string path(key.path);
+            if (!path.starts_with("method.") || key.otherwise.kind != Otherwise::Kind::value) continue;
+            if (scene.lines.contains(path)) continue;
+            const bool other = preset == "paper" && !key.otherwise.paper.empty();
+            CAPTURE(preset, path, value_in_scene(scene, path));
+            CHECK(is_same_value(value_in_scene(scene, path),
+                                std::string(other ? key.otherwise.paper : key.otherwise.text)));
+            ++compared;
+        }
+        CHECK(compared > 15);
+        CHECK(value_in_scene(scene, "method.time_step").empty());
+        CHECK(value_in_scene(scene, "method.no_such_key").empty());
+    }
 }
 
 TEST_CASE("The matrix is every combination, the last axis fastest", "[study]") {

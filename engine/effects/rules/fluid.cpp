@@ -6,26 +6,11 @@
 namespace sluice::rules {
 namespace {
 
-/// As messages name it.
-std::string_view author_of(DensityDiffusion kind) {
-    switch (kind) {
-        case DensityDiffusion::none:
-            return "none";
-        case DensityDiffusion::molteni_colagrossi:
-            return "Molteni and Colagrossi";
-        case DensityDiffusion::fourtakas:
-            return "Fourtakas et al.";
-        case DensityDiffusion::antuono:
-            return "Antuono et al.";
-    }
-    return {};
-}
-
 /// What a density diffusion of one kind needs beside itself: required if the fluid has that kind and it is on.
 template <Effect of>
 Decision part_of_diffusion(const Grounds<of>& g, DensityDiffusion kind) {
     if (!g.content.fluid) return fluid_in(g.content);
-    const std::string words = fmt::format("density diffusion by {}", author_of(kind));
+    const std::string words = fmt::format("density diffusion by {}", long_name_of(kind));
     const bool is_on = g.template has<Effect::density_diffusion>() && g.scene.method.fluid.density_diffusion == kind;
     return is_on ? required(words) : impossible("no " + words);
 }
@@ -42,9 +27,8 @@ Decision artificial_viscosity(const Grounds<Effect::artificial_viscosity>& g) {
 Decision laminar_viscosity(const Grounds<Effect::laminar_viscosity>& g) {
     if (!g.content.fluid) return fluid_in(g.content);
     if (!g.content.viscous) return impossible("viscosity = 0");
-    return used(g.scene.method.fluid.viscous_form == Viscosity::morris
-                    ? "the fluid's viscosity, in the form of Morris et al."
-                    : "the fluid's viscosity, in the form of Monaghan and Gingold");
+    return used(
+        fmt::format("the fluid's viscosity, in the form of {}", long_name_of(g.scene.method.fluid.viscous_form)));
 }
 
 Decision acoustic_damping(const Grounds<Effect::acoustic_damping>& g) {
@@ -53,9 +37,10 @@ Decision acoustic_damping(const Grounds<Effect::acoustic_damping>& g) {
 
 Decision density_diffusion(const Grounds<Effect::density_diffusion>& g) {
     if (!g.content.fluid) return fluid_in(g.content);
-    const MediumMethod& fluid = g.scene.method.fluid;
-    if (fluid.density_diffusion == DensityDiffusion::none) return impossible("method.fluid.density_diffusion = none");
-    return used(fmt::format("{}, delta = {}", author_of(fluid.density_diffusion), fluid.diffusion_coefficient));
+    const DensityDiffusion kind = g.scene.method.fluid.density_diffusion;
+    if (kind == DensityDiffusion::none)
+        return impossible(fmt::format("method.fluid.density_diffusion = {}", word_of(kind)));
+    return used(fmt::format("{}, delta = {}", long_name_of(kind), g.scene.method.fluid.diffusion_coefficient));
 }
 
 Decision excess_density(const Grounds<Effect::excess_density>& g) {

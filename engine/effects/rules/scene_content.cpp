@@ -78,7 +78,7 @@ void add_walls(const Scene& scene, SceneContent& c) {
                 add_name(c.fixed_walls, wall.name);
                 break;
         }
-        if (!wall.slip) c.no_slip = true, add_name(c.no_slip_walls, wall.name);
+        if (wall.condition == WallCondition::no_slip) c.no_slip = true, add_name(c.no_slip_walls, wall.name);
         if (wall.motion.moves()) c.moving_wall = true, add_name(c.moving_walls, wall.name);
     }
 }

@@ -22,18 +22,16 @@ Decision variable_resolution(const Grounds<Effect::variable_resolution>& g) {
 
 Decision adaptive_step(const Grounds<Effect::adaptive_step>& g) {
     if (g.scene.method.time_step) return impossible("method.time_step states it");
-    switch (g.scene.method.step_size) {
-        case StepSize::fixed:
-            break;
-        case StepSize::adaptive:
-            return used("method.step_size");
-    }
-    return unused("method.step_size = \"fixed\"");
+    const StepSize size = g.scene.method.step_size;
+    return size == StepSize::adaptive ? used("method.step_size")
+                                      : unused(fmt::format("method.step_size = \"{}\"", word_of(size)));
 }
 
 Decision solid_substeps(const Grounds<Effect::solid_substeps>& g) {
     if (!g.content.fluid || !g.content.solid) return impossible("one medium");
-    return g.scene.method.multi_rate ? used("method.time_stepping") : unused("method.time_stepping = \"single-rate\"");
+    const TimeStepping rate = g.scene.method.time_stepping;
+    return rate == TimeStepping::multi_rate ? used("method.time_stepping")
+                                            : unused(fmt::format("method.time_stepping = \"{}\"", word_of(rate)));
 }
 
 Decision steady_load(const Grounds<Effect::steady_load>& g) {

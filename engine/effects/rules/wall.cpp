@@ -1,4 +1,6 @@
 // Rules of walls and of the periodic box.
+#include <fmt/format.h>
+
 #include "engine/effects/rules/rules.hpp"
 
 namespace sluice::rules {
@@ -14,7 +16,8 @@ Decision fixed_wall(const Grounds<Effect::fixed_wall>& g) {
 }
 
 Decision no_slip_wall(const Grounds<Effect::no_slip_wall>& g) {
-    if (!g.content.no_slip) return impossible("no wall with condition = \"no-slip\"");
+    if (!g.content.no_slip)
+        return impossible(fmt::format("no wall with condition = {}", quoted_word<WallCondition::no_slip>));
     return g.content.viscous ? used("walls: " + g.content.no_slip_walls) : impossible("viscosity = 0");
 }
 
