@@ -40,9 +40,16 @@ std::string value_text(const SceneKey& key) {
             return with_unit("[[t, x, y], ...], in 3D [[t, x, y, z], ...]", key);
         case KeyType::names:
             return "a table of names";
-        default:
-            return expected_text(key, 2);
+        case KeyType::text:
+        case KeyType::number:
+        case KeyType::whole:
+        case KeyType::word:
+        case KeyType::shapes:
+        case KeyType::texts:
+        case KeyType::table:
+            break;
     }
+    return expected_text(key, 2);
 }
 
 /// "0.75; 0.9 with preset = "paper"".

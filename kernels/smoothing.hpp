@@ -145,9 +145,10 @@ struct Smoothing {
                 return f(WendlandC4<Dim>{});
             case SmoothingFunction::quintic_spline:
                 return f(QuinticSpline<Dim>{});
-            default:
-                return f(CubicSpline<Dim>{});
+            case SmoothingFunction::cubic_spline:
+                break;
         }
+        return f(CubicSpline<Dim>{});
     }
 };
 

@@ -13,8 +13,16 @@ namespace sluice::api {
 namespace {
 
 RunEnd end_of(RunState state) {
-    if (state == RunState::failed) return RunEnd::failed;
-    return state == RunState::interrupted ? RunEnd::interrupted : RunEnd::done;
+    switch (state) {
+        case RunState::failed:
+            return RunEnd::failed;
+        case RunState::interrupted:
+            return RunEnd::interrupted;
+        case RunState::running:
+        case RunState::done:
+            break;
+    }
+    return RunEnd::done;
 }
 
 RunResult run_in(const sluice::Scene& scene, const sluice::RunOptions& options) {

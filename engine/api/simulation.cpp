@@ -24,7 +24,15 @@ namespace {
 constexpr std::uint64_t steps_per_look = 50;
 
 constexpr std::string_view name_of(Medium medium) {
-    return medium == Medium::fluid ? "fluid" : medium == Medium::solid ? "solid" : "walls";
+    switch (medium) {
+        case Medium::fluid:
+            return "fluid";
+        case Medium::solid:
+            return "solid";
+        case Medium::wall:
+            return "walls";
+    }
+    return {};
 }
 
 /// Whose memory a column is: at first the simulation's, later its holders'.
@@ -104,17 +112,23 @@ struct Simulation::ImplOf : Simulation::Impl {
     }
     std::size_t memory_bytes() const override { return simulation.memory_bytes(); }
     std::size_t particles(Medium medium) const override {
-        if (medium == Medium::fluid) return simulation.fluid().owned;
-        return medium == Medium::solid ? simulation.solid().owned : simulation.wall().owned;
+        switch (medium) {
+            case Medium::fluid:
+                return simulation.fluid().owned;
+            case Medium::solid:
+                return simulation.solid().owned;
+            case Medium::wall:
+                return simulation.wall().owned;
+        }
+        return 0;
     }
     std::vector<FieldInfo> fields(Medium medium) const override { return fields_of(simulation, medium); }
     std::vector<RawColumn> columns(Medium medium, std::string_view field) const override {
         return columns_of(simulation, medium, field);
     }
     Frame frame() const override {
-        FrameTable table =
-            frame_table(simulation.fluid(), simulation.solid(), simulation.wall(),
-                                   simulation.solid_materials(), simulation.hyperelastic());
+        FrameTable table = frame_table(simulation.fluid(), simulation.solid(), simulation.wall(),
+                                       simulation.solid_materials(), simulation.hyperelastic());
         Frame frame{std::move(table.points), std::move(table.velocity), {},
                     std::move(table.medium), std::move(table.body),     std::move(table.id)};
         for (FrameScalar& scalar : table.scalars) frame.scalars.push_back({scalar.name, std::move(scalar.value)});

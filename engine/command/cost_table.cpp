@@ -23,9 +23,12 @@ std::string share_text(const EffectCost& e) {
             return !stands_out(e) ? "~ 0" : e.share < 0 ? "saves" : percent(e.share);
         case CostBasis::phases:
             return fmt::format("{}*", percent(e.share));
-        default:
-            return "";
+        case CostBasis::shared:
+        case CostBasis::impossible:
+        case CostBasis::failed:
+            break;
     }
+    return "";
 }
 
 std::string change_text(const EffectCost& e) {
@@ -38,9 +41,10 @@ std::string change_text(const EffectCost& e) {
             return "cannot be left out";
         case CostBasis::impossible:
             return "cannot be on";
-        default:
-            return "not measured";
+        case CostBasis::failed:
+            break;
     }
+    return "not measured";
 }
 
 /// `rate`: of the scene as it is

@@ -46,9 +46,11 @@ ExitCode report(const RunStatus& status, const std::string& expected, const std:
             return ExitCode::numerical_failure;
         case RunState::interrupted:
             return ExitCode::interrupted;
-        default:
-            return ExitCode::done;
+        case RunState::running:
+        case RunState::done:
+            break;
     }
+    return ExitCode::done;
 }
 
 ExitCode run_scene(const RunArguments& arguments) {

@@ -15,8 +15,14 @@ namespace {
 
 std::string run_line(const Study& study, const StudyPoint& p, std::size_t width) {
     std::string line = fmt::format("{:<{}}  {:>9}", study.methods[p.method], width, length_text(p.spacing));
-    if (p.state != PointState::done)
-        return line + (p.state == PointState::failed ? "  failed: " + p.reason : "  not run") + "\n";
+    switch (p.state) {
+        case PointState::missing:
+            return line + "  not run\n";
+        case PointState::failed:
+            return line + "  failed: " + p.reason + "\n";
+        case PointState::done:
+            break;
+    }
     line += fmt::format("  {:>8}", seconds_text(p.cpu_seconds()));
     for (std::size_t q = 0; q < p.error.size(); ++q)
         line += fmt::format("  {:>{}}", p.error[q] ? percent_text(*p.error[q]) : "-",

@@ -72,10 +72,8 @@ std::string bench_json(const SceneBench& bench, const Scene& scene, const Effect
     json["one_thread"] = to_json(bench.one);
     json["all_threads"] = to_json(bench.all);
     for (const char* kind : {"phases", "loops", "rests"}) json[kind] = Json::array();
-    for (const ProfileRow& row : bench.all.profile.rows) {
-        constexpr const char* kinds[] = {"phases", "loops", "rests"};
-        json[kinds[static_cast<std::size_t>(row.kind)]].push_back(to_json(row, bench, effects));
-    }
+    for (const ProfileRow& row : bench.all.profile.rows)
+        json[list_name(row.kind)].push_back(to_json(row, bench, effects));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

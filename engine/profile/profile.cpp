@@ -98,6 +98,18 @@ std::vector<EffectTime> times_of_effects(const std::vector<ProfileRow>& rows, co
 
 }  // namespace
 
+const char* list_name(ProfileRow::Kind kind) {
+    switch (kind) {
+        case Kind::phase:
+            return "phases";
+        case Kind::loop:
+            return "loops";
+        case Kind::rest:
+            return "rests";
+    }
+    return "";
+}
+
 double ProfileRow::busy_seconds() const { return std::accumulate(busy.begin(), busy.end(), 0.0); }
 
 double ProfileRow::imbalance() const {

@@ -31,6 +31,9 @@ struct ProfileRow {
     double per_core(double count) const;
 };
 
+/// The list of a profile's file that rows of a kind stand in.
+const char* list_name(ProfileRow::Kind kind);
+
 /// What an effect took: the loops over pairs, and the rests of phases, that ran for it.
 struct EffectTime {
     Effect effect;

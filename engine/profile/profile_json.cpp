@@ -62,7 +62,7 @@ std::string profile_json(const Profile& profile, const Effects& effects, const T
         Json one = times_of(row, profile, effects);
         if (row.kind == Kind::loop) add_work(one, row);
         if (row.kind == Kind::rest) one["phase"] = row.phase;
-        json[row.kind == Kind::phase ? "phases" : row.kind == Kind::loop ? "loops" : "rests"].push_back(one);
+        json[list_name(row.kind)].push_back(one);
     }
     for (const EffectTime& time : profile.effects)
         json["effects"].push_back({{"key", std::string(effects[time.effect].info.key)},

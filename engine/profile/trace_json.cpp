@@ -57,13 +57,27 @@ class EventText {
         return static_cast<std::size_t>(later - steps_.begin()) - 1;
     }
     std::string_view name(int thread, const Event& event) const {
-        if (event.kind == Kind::wait) return "wait for other threads";
-        if (thread == 0 && event.kind == Kind::share) return "share of the loop";
+        switch (event.kind) {
+            case Kind::wait:
+                return "wait for other threads";
+            case Kind::share:
+                if (thread == 0) return "share of the loop";
+                break;
+            case Kind::section:
+                break;
+        }
         return name_[event.entry];
     }
     std::string_view category(const Event& event) const {
-        constexpr std::string_view others[] = {"", "share", "wait"};
-        return event.kind == Kind::section ? category_[event.entry] : others[static_cast<std::size_t>(event.kind)];
+        switch (event.kind) {
+            case Kind::section:
+                return category_[event.entry];
+            case Kind::share:
+                return "share";
+            case Kind::wait:
+                return "wait";
+        }
+        return {};
     }
     /// Which step it is, at its beginning. Not as an argument of the step: flame graphs add up what is called the same.
     std::string mark(const TraceRecorder::Step& step, Nanoseconds begin) const {

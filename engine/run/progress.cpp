@@ -63,11 +63,17 @@ Progress::~Progress() {
 }
 
 void Progress::update(const ProgressState& state) {
-    if (style_ == Style::none) return;
     const auto since = Clock::now() - shown_at_;
-    const bool due = style_ == Style::bar ? since >= bar_interval
-                                          : since >= line_interval || part_done(state) >= shown_part_ + line_part;
-    if (due) show(state);
+    switch (style_) {
+        case Style::none:
+            return;
+        case Style::bar:
+            if (since >= bar_interval) show(state);
+            return;
+        case Style::lines:
+            if (since >= line_interval || part_done(state) >= shown_part_ + line_part) show(state);
+            return;
+    }
 }
 
 void Progress::note(const std::string& text) {
@@ -78,8 +84,16 @@ void Progress::note(const std::string& text) {
 }
 
 void Progress::finish(const ProgressState& state) {
-    if (style_ == Style::none) return;
-    if (style_ == Style::bar || part_done(state) > shown_part_) show(state);
+    switch (style_) {
+        case Style::none:
+            return;
+        case Style::bar:
+            show(state);
+            break;
+        case Style::lines:
+            if (part_done(state) > shown_part_) show(state);
+            break;
+    }
     if (open_line_) std::fputc('\n', stream_);
     open_line_ = false;
 }
@@ -87,13 +101,19 @@ void Progress::finish(const ProgressState& state) {
 void Progress::show(const ProgressState& state) {
     shown_at_ = Clock::now();
     shown_part_ = part_done(state);
-    if (style_ == Style::lines) {
-        std::fputs((progress_text(state) + "\n").c_str(), stream_);
-    } else {
-        std::string line = progress_bar(state, bar_width) + " " + progress_text(state);
-        line.resize(std::min(line.size(), terminal_columns(stream_) - 1));  // a wrapped line cannot be redrawn
-        std::fputs(fmt::format("\r{}\033[K", line).c_str(), stream_);
-        open_line_ = true;
+    std::string line = progress_text(state);
+    switch (style_) {
+        case Style::none:
+            return;
+        case Style::lines:
+            std::fputs((line + "\n").c_str(), stream_);
+            break;
+        case Style::bar:
+            line = progress_bar(state, bar_width) + " " + line;
+            line.resize(std::min(line.size(), terminal_columns(stream_) - 1));  // a wrapped line cannot be redrawn
+            std::fputs(fmt::format("\r{}\033[K", line).c_str(), stream_);
+            open_line_ = true;
+            break;
     }
     std::fflush(stream_);
 }

@@ -144,7 +144,7 @@ inline constexpr std::array words_of<TimeStepping>{
     Word{TimeStepping::multi_rate, "multi-rate"},
 };
 
-/// Of a viscous fluid.
+/// Of a viscous fluid; the other values stand for fluids without.
 template <>
 inline constexpr std::array words_of<Viscosity>{
     Word{Viscosity::morris, "morris", "Morris et al."},

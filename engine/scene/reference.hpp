@@ -10,7 +10,20 @@
 namespace sluice {
 
 /// Whether curves are compared point by point.
-inline bool is_pointwise(Measure measure) { return measure == Measure::rms || measure == Measure::max; }
+constexpr bool is_pointwise(Measure measure) {
+    switch (measure) {
+        case Measure::rms:
+        case Measure::max:
+            return true;
+        case Measure::peak:
+        case Measure::peak_time:
+        case Measure::period:
+        case Measure::final:
+        case Measure::mean:
+            break;
+    }
+    return false;
+}
 
 /// At most one of formula, table and number is given; with none, the finest runs of a study stand in.
 struct Reference {

@@ -70,6 +70,9 @@ struct Probe {
     std::optional<std::size_t> body;  ///< displacement, force, velocity error, pressure on a surface: index of bodies
     Point at{};                       ///< displacement, pressure: reference position; water_level: x (2D), x and z (3D)
     std::array<Formula, 3> velocity;  ///< velocity_error: what it should be, in x, y, z and t [m/s]
+
+    /// Whether it measures at a place, which `at` states.
+    bool has_place() const;
 };
 
 /// Method constants of one medium. A value of 0 (or θ = 1) takes the term out of the loops.

@@ -1,9 +1,9 @@
-// Words that scenes have for the values of an enumeration: one table for each, beside the enumeration (choices.hpp).
-// Keys of scenes, the reader, and all that is printed take words from there.
+// Words for the values of an enumeration: one table for each, beside the enumeration (those of scenes: choices.hpp).
+// Keys of scenes, readers, and all that is printed take words from there.
 #pragma once
 
 #include <array>
-#include <span>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -16,7 +16,7 @@ struct Word {
     std::string_view name = {};  ///< in messages, where that is not the word
 };
 
-/// The table of an enumeration, in the order in which choices are listed. Values that no scene can ask for are not in it.
+/// The table of an enumeration, in the order in which choices are listed.
 template <class Enum>
 inline constexpr std::array<Word<Enum>, 0> words_of{};
 
@@ -44,6 +44,14 @@ constexpr const Word<Enum>& word_entry(Enum value) {
 template <class Enum>
 constexpr std::string_view word_of(Enum value) {
     return word_entry(value).word;
+}
+
+/// The value that has this word; none without one.
+template <class Enum>
+constexpr std::optional<Enum> value_of_word(std::string_view word) {
+    for (const Word<Enum>& entry : words_of<Enum>)
+        if (entry.word == word) return entry.value;
+    return std::nullopt;
 }
 
 /// What messages call it.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -188,9 +187,9 @@ std::optional<double> target_of(const Study& study, std::size_t quantity) {
 }
 
 std::string choice_text(const Study& study, const Choice& choice) {
-    constexpr std::array<const char*, 3> basis{"", " (interpolated)", " (extrapolated)"};
+    const std::string basis = choice.basis == Basis::measured ? "" : fmt::format(" ({})", word_of(choice.basis));
     return fmt::format("spacing {}, {}: {} CPU-s{}", length_text(choice.spacing), study.methods[choice.method],
-                       seconds_text(choice.cpu), basis[static_cast<std::size_t>(choice.basis)]);
+                       seconds_text(choice.cpu), basis);
 }
 
 std::string target_text(const Study& study, std::size_t quantity, double target) {

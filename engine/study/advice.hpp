@@ -12,6 +12,12 @@ namespace sluice {
 /// How a figure came about. Between two measured spacings it lies on the straight line in logarithms; beyond the finest
 /// on the fitted slopes.
 enum class Basis { measured, interpolated, extrapolated };
+template <>
+inline constexpr std::array words_of<Basis>{
+    Word{Basis::measured, "measured"},
+    Word{Basis::interpolated, "interpolated"},
+    Word{Basis::extrapolated, "extrapolated"},
+};
 
 struct Choice {
     std::size_t method = 0;

@@ -124,7 +124,17 @@ void add_stated(Study& study, const Scene& scene, Quantity quantity, const Refer
 }
 
 std::string unit_of(const Reference& reference, const Tables& tables) {
-    if (reference.measure == Measure::period || reference.measure == Measure::peak_time) return "s";
+    switch (reference.measure) {
+        case Measure::period:
+        case Measure::peak_time:
+            return "s";
+        case Measure::rms:
+        case Measure::max:
+        case Measure::peak:
+        case Measure::final:
+        case Measure::mean:
+            break;
+    }
     for (const auto& table : tables)
         if (table) return table->unit(reference.column);
     return "";

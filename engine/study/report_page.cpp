@@ -72,13 +72,25 @@ std::string slopes_table(const Study& study) {
     return html + "</table>\n<p class=\"facts\">Fitted in logarithms; ± is the standard error of the exponent.</p>\n";
 }
 
+/// Why a point has no figures; empty if it has.
+std::string reason_text(const StudyPoint& p) {
+    switch (p.state) {
+        case PointState::missing:
+            return "not run";
+        case PointState::failed:
+            return "failed: " + xml_text(p.reason);
+        case PointState::done:
+            break;
+    }
+    return "";
+}
+
 std::string run_row(const Study& study, const StudyPoint& p) {
-    const bool failed = p.state == PointState::failed;
-    std::string html = fmt::format("<tr{}><td>{}</td><td class=\"n\">{}</td>", failed ? " class=\"failed\"" : "",
-                                   xml_text(study.methods[p.method]), xml_text(length_text(p.spacing)));
-    if (p.state != PointState::done)
-        return html + fmt::format("<td colspan=\"{}\">{}</td></tr>\n", 3 + study.quantities.size(),
-                                  failed ? "failed: " + xml_text(p.reason) : "not run");
+    const char* look = p.state == PointState::failed ? " class=\"failed\"" : "";
+    std::string html = fmt::format("<tr{}><td>{}</td><td class=\"n\">{}</td>", look, xml_text(study.methods[p.method]),
+                                   xml_text(length_text(p.spacing)));
+    if (const std::string reason = reason_text(p); !reason.empty())
+        return html + fmt::format("<td colspan=\"{}\">{}</td></tr>\n", 3 + study.quantities.size(), reason);
     const auto [least, most] = std::minmax_element(p.cpu.begin(), p.cpu.end());
     const std::string span = p.cpu.size() > 1 ? fmt::format("{}–{}", seconds_text(*least), seconds_text(*most)) : "";
     html += fmt::format("<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>",

@@ -39,12 +39,13 @@ std::string expectation_text(const Scene& scene) {
     }
     const auto method = method_of(*study, scene);
     if (!method) return "";
-    constexpr const char* basis[]{"", ", interpolated", ", extrapolated"};
     std::string text;
     for (std::size_t q = 0; q < study->quantities.size(); ++q)
-        if (const auto choice = expected(*study, q, *method, scene.method.spacing))
-            text += fmt::format("{}{} in {}{}", text.empty() ? "" : "; ", percent_text(choice->error),
-                                study->quantities[q].name, basis[static_cast<std::size_t>(choice->basis)]);
+        if (const auto choice = expected(*study, q, *method, scene.method.spacing)) {
+            text += fmt::format("{}{} in {}", text.empty() ? "" : "; ", percent_text(choice->error),
+                                study->quantities[q].name);
+            if (choice->basis != Basis::measured) text += fmt::format(", {}", word_of(choice->basis));
+        }
     return text.empty() ? "" : fmt::format("expected error, by {}: {}\n", file.string(), text);
 }
 

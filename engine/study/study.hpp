@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/word.hpp"
+
 namespace sluice {
 
 /// The key whose values make up a line of the diagram; all other varied keys make up a method.
@@ -17,6 +19,12 @@ struct Axis {
 };
 
 enum class PointState { missing, done, failed };
+template <>
+inline constexpr std::array words_of<PointState>{
+    Word{PointState::missing, "missing"},
+    Word{PointState::done, "done"},
+    Word{PointState::failed, "failed"},
+};
 
 /// One setting of the matrix.
 struct StudyPoint {

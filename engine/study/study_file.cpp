@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* state_names[]{"missing", "done", "failed"};
-
 Json optional(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 std::optional<double> optional(const Json& json) {
@@ -45,10 +43,7 @@ Quantity quantity_from(const Json& json) {
 }
 
 Json to_json(const StudyPoint& p, const Study& study) {
-    Json json{{"values", p.values},
-              {"method", p.method},
-              {"spacing", p.spacing},
-              {"state", state_names[static_cast<std::size_t>(p.state)]}};
+    Json json{{"values", p.values}, {"method", p.method}, {"spacing", p.spacing}, {"state", word_of(p.state)}};
     if (!p.reason.empty()) json["reason"] = p.reason;
     json["cpu_seconds"] = p.cpu;
     json["wall_seconds"] = p.wall;
@@ -64,8 +59,7 @@ StudyPoint point_from(const Json& json, const Study& study) {
     if (p.method >= study.methods.size() || p.values.size() != study.axes.size())
         throw std::runtime_error("a point of a method that is not there");
     p.spacing = json.at("spacing");
-    const std::string state = json.at("state");
-    p.state = state == "done" ? PointState::done : state == "failed" ? PointState::failed : PointState::missing;
+    p.state = value_of_word<PointState>(json.at("state").get<std::string>()).value_or(PointState::missing);
     p.reason = json.value("reason", "");
     p.cpu = json.at("cpu_seconds").get<std::vector<double>>();
     p.wall = json.at("wall_seconds").get<std::vector<double>>();
@@ -163,8 +157,7 @@ std::string csv_text(const Study& study) {
     text += ",reason\n";
     for (const StudyPoint& p : study.points) {
         for (const std::string& value : p.values) text += cell(value) + ",";
-        text += fmt::format("{},{},{},{},", cell(study.methods[p.method]), p.spacing,
-                            state_names[static_cast<std::size_t>(p.state)], p.cpu.size());
+        text += fmt::format("{},{},{},{},", cell(study.methods[p.method]), p.spacing, word_of(p.state), p.cpu.size());
         text += p.cpu.empty() ? "," : fmt::format("{},{}", p.cpu_seconds(), p.wall_seconds());
         for (const auto& error : p.error) text += error ? fmt::format(",{}", *error) : ",";
         text += fmt::format(",{}\n", cell(p.reason));

@@ -39,10 +39,6 @@ Reference implied(const std::string& column) {
     return reference;
 }
 
-bool is_curve_of_interest(ProbeKind kind) {
-    return kind == ProbeKind::displacement || kind == ProbeKind::pressure || kind == ProbeKind::water_level;
-}
-
 }  // namespace
 
 std::vector<Reference> references_of(const Scene& scene) {
@@ -52,7 +48,7 @@ std::vector<Reference> references_of(const Scene& scene) {
     };
     for (const Probe& probe : scene.probes)
         for (const std::string& column : probe_columns(probe, scene.dimension))
-            if (is_curve_of_interest(probe.kind) && !has(column)) all.push_back(implied(column));
+            if (probe.has_place() && !has(column)) all.push_back(implied(column));
     for (const Probe& probe : scene.probes)
         if (all.empty() && probe.kind == ProbeKind::energy) all.push_back(implied(probe.name + ".kinetic"));
     return all;

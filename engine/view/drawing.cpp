@@ -75,7 +75,7 @@ void Drawing::text(double x, double y, std::string_view words, double size, std:
     cairo_set_font_size(cairo_, size);
     cairo_text_extents_t extents;
     cairo_text_extents(cairo_, text.c_str(), &extents);
-    const double back = side == TextSide::left ? 0 : side == TextSide::middle ? 0.5 : 1;
+    const double back = part_before(side);
     use(color);
     cairo_move_to(cairo_, x - back * extents.x_advance, y);
     cairo_show_text(cairo_, text.c_str());
@@ -87,7 +87,7 @@ void Drawing::label(double x, double y, std::string_view words, double size, std
     cairo_set_font_size(cairo_, size);
     cairo_text_extents_t extents;
     cairo_text_extents(cairo_, text.c_str(), &extents);
-    const double back = side == TextSide::left ? 0 : side == TextSide::middle ? 0.5 : 1;
+    const double back = part_before(side);
     use(halo);
     cairo_move_to(cairo_, x - back * extents.x_advance, y);
     cairo_text_path(cairo_, text.c_str());

@@ -14,7 +14,21 @@ struct _cairo_surface;
 
 namespace sluice {
 
+/// Which part of a text stands at its place.
 enum class TextSide { left, middle, right };
+
+/// The part of a text's width that lies to the left of its place.
+constexpr double part_before(TextSide side) {
+    switch (side) {
+        case TextSide::left:
+            return 0;
+        case TextSide::middle:
+            return 0.5;
+        case TextSide::right:
+            return 1;
+    }
+    return 0;
+}
 
 class Drawing {
   public:

@@ -82,9 +82,9 @@ void add_marks(Legend& legend, Drawing& drawing, const MarkPlace& at) {
     if (!mirrors.empty()) legend.add("mirror walls", mirrors, line);
     const std::string sides = periodic_text(scene);
     if (!sides.empty()) legend.add("periodic", sides, dashes);
-    const std::string placed = names_of(scene.probes, [](const Probe& p) { return has_place(p); });
+    const std::string placed = names_of(scene.probes, [](const Probe& p) { return p.has_place(); });
     if (!placed.empty()) legend.add("probes", placed, marker);
-    const std::string others = names_of(scene.probes, [](const Probe& p) { return !has_place(p); });
+    const std::string others = names_of(scene.probes, [](const Probe& p) { return !p.has_place(); });
     if (!others.empty()) legend.add("probes without a place", others, nothing);
 }
 

@@ -87,7 +87,7 @@ class Labels {
 
     void add(double x, double y, const std::string& name, TextSide side) {
         const double width = letter_width * text_size * static_cast<double>(name.size());
-        const double left = side == TextSide::left ? x : side == TextSide::right ? x - width : x - width / 2;
+        const double left = x - part_before(side) * width;
         PictureBox box{left, y - text_size, left + width, y};
         const auto covers = [&](const PictureBox& other) {
             return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
@@ -114,11 +114,6 @@ void draw_level(Drawing& drawing, const MarkPlace& at, const Probe& probe, Label
 }
 
 }  // namespace
-
-bool has_place(const Probe& probe) {
-    return probe.kind == ProbeKind::displacement || probe.kind == ProbeKind::pressure ||
-           probe.kind == ProbeKind::water_level;
-}
 
 void draw_planes(Drawing& drawing, const MarkPlace& at) {
     if (at.scene.dimension == 3)
@@ -166,7 +161,7 @@ void draw_probes(Drawing& drawing, const MarkPlace& at) {
     Labels labels(drawing, at);
     for (const Probe& probe : at.scene.probes) {
         if (probe.kind == ProbeKind::water_level) draw_level(drawing, at, probe, labels);
-        if (!has_place(probe) || probe.kind == ProbeKind::water_level) continue;
+        if (!probe.has_place() || probe.kind == ProbeKind::water_level) continue;
         const Point p = at.to(probe.at);
         draw_marker(drawing, p, at.palette);
         const bool right = p[0] < 0.5 * (at.box.left + at.box.right);  // where the picture has room

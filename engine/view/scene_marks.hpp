@@ -16,9 +16,6 @@ struct MarkPlace {
     Palette palette;
 };
 
-/// Where a probe is; false for one that has no place, as of energy.
-bool has_place(const Probe& probe);
-
 /// A cross in a ring, about a place in the picture.
 void draw_marker(Drawing& drawing, const Point& place, const Palette& palette);
 

@@ -87,7 +87,7 @@ Projection::Bounds bounds_of(const Scene& scene, const std::vector<ParticleSet>&
             bounds[k].second = std::max(bounds[k].second, scene.periodic[k]->second);
         }
     for (const Probe& probe : scene.probes)
-        if (has_place(probe) && probe.kind != ProbeKind::water_level) extend(bounds, probe.at);
+        if (probe.has_place() && probe.kind != ProbeKind::water_level) extend(bounds, probe.at);
     for (const Wall& wall : scene.walls)
         if (wall.kind == WallKind::mirror) extend(bounds, foot_on(wall, bounds));
     double largest = 0;

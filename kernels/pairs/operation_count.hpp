@@ -81,9 +81,13 @@ class Ledger {
                 return 4;
             case Kind::inverse_sqrt:
                 return 6;
-            default:
-                return 1;
+            case Kind::add:
+            case Kind::multiply:
+            case Kind::larger:
+            case Kind::smaller:
+                break;
         }
+        return 1;
     }
 
     std::map<std::tuple<Kind, std::uint32_t, std::uint32_t>, std::uint32_t> known_;

@@ -25,9 +25,10 @@ std::uint64_t diffusive_continuity(const ParticleView<Dim>& fluid, const Neighbo
             return add(StratifiedDiffusion<Dim>{strength, slope * terms.gravity});
         case DensityDiffusion::antuono:
             return add(GradientDiffusion{strength});
-        default:
-            return continuity(fluid, list, method, density_rate);
+        case DensityDiffusion::none:
+            break;
     }
+    return continuity(fluid, list, method, density_rate);
 }
 
 template <int Dim>
