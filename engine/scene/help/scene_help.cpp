@@ -57,7 +57,7 @@ std::string otherwise_text(const SceneKey& key) {
     const Otherwise& otherwise = key.otherwise;
     if (otherwise.kind == Otherwise::Kind::required) return "required";
     if (otherwise.paper.empty()) return std::string(otherwise.text);
-    return fmt::format("{}; {} with preset = \"paper\"", otherwise.text, otherwise.paper);
+    return fmt::format("{}; {} with preset = {}", otherwise.text, otherwise.paper, quoted_word<Preset::paper>);
 }
 
 /// When it applies; empty = always.

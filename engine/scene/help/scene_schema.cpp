@@ -76,7 +76,8 @@ Json schema_of(const SceneKey& key) {
     if (otherwise.kind == Otherwise::Kind::required && key.only.empty()) words += "; required";
     if (otherwise.kind == Otherwise::Kind::said) words += fmt::format("; without it: {}", otherwise.text);
     if (otherwise.kind == Otherwise::Kind::value) made["default"] = Json::parse(otherwise.text);
-    if (!otherwise.paper.empty()) words += fmt::format("; {} with preset = \"paper\"", otherwise.paper);
+    if (!otherwise.paper.empty())
+        words += fmt::format("; {} with preset = {}", otherwise.paper, quoted_word<Preset::paper>);
     made["description"] = words;
     return made;
 }
