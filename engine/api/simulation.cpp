@@ -13,7 +13,7 @@
 #include "engine/output/frame_table.hpp"
 #include "engine/output/probes.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/scene/suggestion.hpp"
+#include "engine/scene/table/suggestion.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "engine/watch/watch.hpp"
 

@@ -18,7 +18,7 @@
 #include "engine/command/thread_settings.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "engine/output/probes.hpp"
-#include "engine/scene/suspicion.hpp"
+#include "engine/scene/check/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
 #include "engine/view/scene_picture.hpp"
 #include "neighbor/isa.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "engine/effects/names/effect_table.hpp"
-#include "engine/scene/scene_keys.hpp"
-#include "engine/scene_help.hpp"
+#include "engine/scene/help/scene_help.hpp"
+#include "engine/scene/table/scene_keys.hpp"
 #include "engine/templates/scene_templates.hpp"
 
 namespace sluice {

@@ -10,9 +10,9 @@
 #include "engine/command/manual.hpp"
 #include "engine/command/topics.hpp"
 #include "engine/effects/effect_help.hpp"
-#include "engine/scene/suggestion.hpp"
-#include "engine/scene_help.hpp"
-#include "engine/scene_schema.hpp"
+#include "engine/scene/help/scene_help.hpp"
+#include "engine/scene/help/scene_schema.hpp"
+#include "engine/scene/table/suggestion.hpp"
 
 namespace sluice {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "engine/base/version.hpp"
 #include "engine/command/commands.hpp"
-#include "engine/scene/suggestion.hpp"
+#include "engine/scene/table/suggestion.hpp"
 
 namespace {
 

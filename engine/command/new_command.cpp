@@ -8,9 +8,9 @@
 
 #include "engine/command/commands.hpp"
 #include "engine/files/atomic_file.hpp"
+#include "engine/scene/help/scene_schema.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/scene/suggestion.hpp"
-#include "engine/scene_schema.hpp"
+#include "engine/scene/table/suggestion.hpp"
 #include "engine/templates/scene_templates.hpp"
 
 namespace sluice {

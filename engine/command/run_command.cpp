@@ -16,7 +16,7 @@
 #include "engine/profile/trace_recorder.hpp"
 #include "engine/run/resume.hpp"
 #include "engine/run/run.hpp"
-#include "engine/scene/suspicion.hpp"
+#include "engine/scene/check/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
 #include "neighbor/isa.hpp"
 

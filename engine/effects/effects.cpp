@@ -14,12 +14,13 @@ void check_switch(const Scene& scene, const EffectInfo& info, const Decision& d)
     const Switch asked = scene.switches[info.effect];
     const std::string path = fmt::format("effects.{}", info.key);
     if (asked == Switch::on && d.verdict == Verdict::impossible)
-        scene.fail(path, fmt::format("found \"on\", but there is nothing for it to act on: {}; expected \"auto\" or "
-                                     "\"off\"",
-                                     d.why));
+        scene.fail(path, fmt::format("found {}, but there is nothing for it to act on: {}; expected {} or {}",
+                                     quoted_word<Switch::on>, d.why, quoted_word<Switch::automatic>,
+                                     quoted_word<Switch::off>));
     if (asked == Switch::off && d.verdict == Verdict::required)
-        scene.fail(path, fmt::format("found \"off\", but the scene cannot do without: {}; expected \"auto\" or \"on\"",
-                                     d.why));
+        scene.fail(path, fmt::format("found {}, but the scene cannot do without: {}; expected {} or {}",
+                                     quoted_word<Switch::off>, d.why, quoted_word<Switch::automatic>,
+                                     quoted_word<Switch::on>));
 }
 
 EffectChoice choose(const Scene& scene, const EffectInfo& info, const Decision& d) {

@@ -1,21 +1,10 @@
 // Which effects a scene calls for, and why: loops, allocation, output and messages follow from it.
 #pragma once
 
-#include <string>
-
-#include "engine/effects/names/effect_table.hpp"
-#include "engine/effects/rules/decision.hpp"
+#include "engine/effects/rules/effect_choice.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {
-
-/// What a scene makes of one effect.
-struct EffectChoice {
-    EffectInfo info;
-    Decision decision;  ///< of its rule, whatever [effects] asks for
-    bool on = false;    ///< by the rule, or by [effects]
-    std::string why;    ///< the rule's reason, and whether [effects] had the last word
-};
 
 class Effects {
   public:

@@ -7,7 +7,7 @@
 #include "engine/geometry/site_index.hpp"
 #include "engine/particles/joined_bodies.hpp"
 #include "engine/particles/state.hpp"
-#include "engine/scene/checks.hpp"
+#include "engine/scene/check/checks.hpp"
 #include "engine/scene/formula.hpp"
 #include "kernels/smoothing.hpp"
 

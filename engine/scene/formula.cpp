@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/scene/excerpt.hpp"
-#include "engine/scene/scene_key.hpp"
+#include "engine/scene/table/excerpt.hpp"
+#include "engine/scene/table/scene_key.hpp"
 
 namespace sluice {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/scene/excerpt.hpp"
+#include "engine/scene/table/excerpt.hpp"
 
 namespace sluice {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/choices.hpp"
+#include "engine/scene/table/choices.hpp"
 
 namespace sluice {
 

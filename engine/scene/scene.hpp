@@ -10,8 +10,8 @@
 #include "engine/effects/names/effect.hpp"
 #include "engine/errors.hpp"
 #include "engine/geometry/shape.hpp"
-#include "engine/scene/choices.hpp"
 #include "engine/scene/reference.hpp"
+#include "engine/scene/table/choices.hpp"
 
 namespace sluice {
 

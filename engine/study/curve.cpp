@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/scene/number_table.hpp"
+#include "engine/scene/read/number_table.hpp"
 
 namespace sluice {
 namespace {

@@ -99,8 +99,8 @@ void erase(toml::table& table, std::string_view path) {
 /// "mixed", "courant 0.5"
 std::string named_value(const std::string& key, const std::string& value) {
     const bool is_word = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
-    const bool tells_itself = is_word && value != "on" && value != "off" && value != "auto" && value != "none" &&
-                              value != "true" && value != "false";
+    const bool tells_itself =
+        is_word && !value_of_word<Switch>(value) && value != "none" && value != "true" && value != "false";
     if (tells_itself) return value;
     std::string name = key.substr(key.find_last_of('.') + 1);
     std::replace(name.begin(), name.end(), '_', ' ');

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/word.hpp"
+#include "engine/scene/table/word.hpp"
 
 namespace sluice {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/errors.hpp"
-#include "engine/scene/suggestion.hpp"
+#include "engine/scene/table/suggestion.hpp"
 
 namespace sluice {
 namespace {

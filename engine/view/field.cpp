@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/errors.hpp"
-#include "engine/scene/suggestion.hpp"
+#include "engine/scene/table/suggestion.hpp"
 
 namespace sluice {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/geometry/packing.hpp"
-#include "engine/scene/checks.hpp"
+#include "engine/scene/check/checks.hpp"
 #include "engine/study/words.hpp"
 #include "engine/view/drawing.hpp"
 #include "engine/view/particle_raster.hpp"

@@ -2,8 +2,8 @@
 #include "engine/geometry/packing.hpp"
 #include "engine/geometry/particle_count.hpp"
 #include "engine/output/frame_table.hpp"
-#include "engine/scene/excerpt.hpp"
-#include "engine/scene/key_parts.hpp"
+#include "engine/scene/read/key_parts.hpp"
+#include "engine/scene/table/excerpt.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
@@ -139,7 +139,7 @@ contact = "off"
 )toml"));
     REQUIRE(simulation.wall().owned == 0);
     const FrameTable table = frame_table<2>(simulation.fluid(), simulation.solid(), simulation.wall(),
-                                             simulation.solid_materials(), simulation.hyperelastic());
+                                            simulation.solid_materials(), simulation.hyperelastic());
     REQUIRE(table.particles == simulation.solid().owned);
 }
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/scene/suspicion.hpp"
+#include "engine/scene/check/suspicion.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/collision_scenes.hpp"
 #include "tests/neighbor/clouds.hpp"

@@ -3,8 +3,8 @@
 #include <fstream>
 
 #include "engine/output/probes.hpp"
-#include "engine/scene/number_table.hpp"
 #include "engine/scene/probe_columns.hpp"
+#include "engine/scene/read/number_table.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "engine/study/truth.hpp"
 #include "tests/catch.hpp"

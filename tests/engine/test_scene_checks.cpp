@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/scene/checks.hpp"
-#include "engine/scene/memory_check.hpp"
-#include "engine/scene/overlap.hpp"
-#include "engine/scene/thickness.hpp"
+#include "engine/scene/check/checks.hpp"
+#include "engine/scene/check/memory_check.hpp"
+#include "engine/scene/check/overlap.hpp"
+#include "engine/scene/check/thickness.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 

@@ -1,13 +1,13 @@
 // The table of scene keys is what the reader does: nothing missing in either direction, and defaults as it says.
-#include "engine/scene/scene_keys.hpp"
+#include "engine/scene/table/scene_keys.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
 #include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/help/scene_help.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/scene_help.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 

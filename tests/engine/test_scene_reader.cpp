@@ -1,6 +1,6 @@
 // What a scene file may say, and how each mistake is answered: line, key, what was found, what was expected.
 #include "engine/scene/scene.hpp"
-#include "engine/scene/suggestion.hpp"
+#include "engine/scene/table/suggestion.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 

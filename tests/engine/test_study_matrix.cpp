@@ -1,7 +1,7 @@
 // What a study will run, what it keeps, and what it tells.
 #include <fstream>
 
-#include "engine/scene/scene_keys.hpp"
+#include "engine/scene/table/scene_keys.hpp"
 #include "engine/study/advice.hpp"
 #include "engine/study/matrix.hpp"
 #include "engine/study/plan.hpp"

@@ -1,5 +1,5 @@
 // What is said of a text that is not TOML; tests/engine/wrong_edits has more, as users meet them.
-#include "engine/scene/syntax_error.hpp"
+#include "engine/scene/read/syntax_error.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"

@@ -9,7 +9,7 @@
 
 #include "engine/run/text_difference.hpp"
 #include "engine/scene/formula.hpp"
-#include "engine/scene/number_table.hpp"
+#include "engine/scene/read/number_table.hpp"
 #include "engine/study/study_file.hpp"
 #include "tests/engine/scene_text.hpp"
 #include "tests/fuzz/demand.hpp"

@@ -18,7 +18,7 @@
 #include "engine/output/probes.hpp"
 #include "engine/particles/particle_set.hpp"
 #include "engine/run/run.hpp"
-#include "engine/scene/checks.hpp"
+#include "engine/scene/check/checks.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/engine/lattice_sites.hpp"

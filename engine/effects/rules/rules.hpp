@@ -1,7 +1,7 @@
 // The rules of the effects, one each: what "auto" means in a scene.
 #pragma once
 
-#include "engine/effects/effects.hpp"
+#include "engine/effects/rules/effect_choice.hpp"
 
 namespace sluice {
 

@@ -46,7 +46,8 @@ Decision contact(const Grounds<Effect::contact>& g) {
         if (walls.empty()) return impossible("no wall, and the solids are hypoelastic");
         return unused("the solids are hypoelastic; they could meet walls: " + walls);
     }
-    if (c.total_lagrangian_bodies < 2 && !c.hypoelastic && walls.empty()) return impossible("one solid body and no wall");
+    if (c.total_lagrangian_bodies < 2 && !c.hypoelastic && walls.empty())
+        return impossible("one solid body and no wall");
     if (walls.empty()) return used(fmt::format("solid bodies: {}", c.solids));
     return used(fmt::format("solid bodies: {}; walls: {}", c.solids, walls));
 }
