@@ -1,5 +1,5 @@
 // Motion that the scene prescribes: of everything by an acceleration, of walls by formula or table.
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/wave_scenes.hpp"
 

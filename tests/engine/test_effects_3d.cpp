@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"

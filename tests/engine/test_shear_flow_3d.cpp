@@ -2,7 +2,7 @@
 // is, and mirror walls, along which it slips.
 #include <fmt/format.h>
 
-#include "engine/effects.hpp"
+#include "engine/effects/effects.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
