@@ -1,6 +1,7 @@
 // Several materials of a medium in one scene: fluids side by side, solids joined, apart, and of different models.
 #include <cmath>
 
+#include "engine/effects/effects.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
