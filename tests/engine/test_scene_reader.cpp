@@ -52,7 +52,7 @@ TEST_CASE("method constants default to the preset's", "[scene]") {
     const Scene s = load(with(gate, "[output]", "[method.solid]\nartificial_stress_exponent = 3\n[output]"));
     CHECK(s.method.courant == 0.5);
     CHECK(s.method.smoothing_length == 1.5);
-    CHECK(s.method.precision == "double");
+    CHECK(s.method.precision == Precision::full);
     CHECK(s.method.fluid.velocity_filter == 0.92);
     CHECK(s.method.fluid.artificial_viscosity == 0);
     CHECK(s.method.solid.velocity_filter == 1);
