@@ -8,6 +8,7 @@
 #include "engine/run/resume.hpp"
 #include "engine/run/schedule.hpp"
 #include "engine/run/text_difference.hpp"
+#include "neighbor/fields.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"
