@@ -20,7 +20,7 @@ std::set<std::string> all_columns() {
     return columns;
 }
 
-std::set<std::string> words_of(std::string_view text) {
+std::set<std::string> words_in(std::string_view text) {
     std::istringstream stream{std::string(text)};
     std::set<std::string> words;
     for (std::string word; stream >> word;) words.insert(word);
@@ -46,7 +46,7 @@ TEST_CASE("Each of the table's rows has every entry, and a name of its own") {
 
 TEST_CASE("The table names no column that there is not, and every column is needed by some effect") {
     std::set<std::string> named, needed;
-    for (const EffectInfo& effect : effect_table) named.merge(words_of(effect.fields));
+    for (const EffectInfo& effect : effect_table) named.merge(words_in(effect.fields));
     const std::set<std::string> existing = all_columns();
     for (const std::string& column : named) {
         CAPTURE(column);
