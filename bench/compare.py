@@ -5,7 +5,7 @@ bench/compare.py OLD.json NEW.json
     Medians over the repetitions. A change is marked if it exceeds the threshold and the ranges of the repetitions do
     not overlap.
 
-bench/compare.py --run OLD_BINARY NEW_BINARY --filter 'fluid_rates/dim:3'
+bench/compare.py --run OLD_BINARY NEW_BINARY --filter 'fluid_momentum/dim:3'
     Runs the two alternately, so that a machine whose speed drifts slows both alike, and compares round by round. A
     change is marked if the median ratio exceeds the threshold and all rounds but the best and the worst agree in sign.
 

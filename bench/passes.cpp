@@ -42,11 +42,6 @@ Rows<Cube<Dim>> fluid_rows() {
     using Out = Output<Dim>;
     const Roles<S> all{&S::medium, &S::medium, &S::list};
     return {
-        pass_row<FluidRates<Dim>>("fluid_rates", all, Dim + 1,
-                                  [](const S& s, Precision p, Out& out) {
-                                      fluid_rates<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors,
-                                                       out.scalars);
-                                  }),
         pass_row<ViscousMomentum<Dim>>("fluid_momentum", all, Dim,
                                        [](const S& s, Precision p, Out& out) {
                                            fluid_momentum<Dim>(s.medium.view(), s.list, fluid_terms, p, out.vectors);

@@ -39,7 +39,7 @@ def short_name(name):
 
 
 def parts(name):
-    """`fluid_rates/dim:2/mixed/avx2` → (["fluid_rates", "mixed", "avx2"], {"dim": "2"})."""
+    """`fluid_momentum/dim:2/mixed/avx2` → (["fluid_momentum", "mixed", "avx2"], {"dim": "2"})."""
     words, arguments = [], {}
     for part in name.split("/"):
         key, colon, value = part.partition(":")

@@ -39,7 +39,7 @@ void CellGrid<Dim>::build(const VectorField<Dim>& position, std::size_t first, s
     max_reach_ = 0;
     if (n > 0) {
         compute_keys(position, first, last, keys);
-        RadixSorter().sort(keys, order_, key_bits_);
+        radix_sort(keys, order_, key_bits_);
         collect_cells(position, reach, keys);
     }
     hash_cells();

@@ -31,14 +31,15 @@ void exclusive_offsets(Array<std::uint32_t>& counts, int threads) {
 
 }  // namespace
 
-void RadixSorter::sort(Array<std::uint64_t>& keys, Array<Index>& values, int key_bits) {
+void radix_sort(Array<std::uint64_t>& keys, Array<Index>& values, int key_bits) {
     const std::size_t n = keys.size();
-    key_buffer_.resize(n);
-    value_buffer_.resize(n);
+    Array<std::uint64_t> key_buffer(n);
+    Array<Index> value_buffer(n);
+    Array<std::uint32_t> offsets;  // [thread][digit]
     const int threads = n > light_threshold ? omp_get_max_threads() : 1;
     for (int shift = 0; shift < key_bits; shift += digit_bits) {
         const std::uint64_t mask = (std::uint64_t{1} << std::min(digit_bits, key_bits - shift)) - 1;
-        offsets_.assign(static_cast<std::size_t>(threads) * digits, 0);
+        offsets.assign(static_cast<std::size_t>(threads) * digits, 0);
         const WatchedLoop loop;
 #pragma omp parallel num_threads(threads) if (threads > 1)
         {
@@ -46,24 +47,24 @@ void RadixSorter::sort(Array<std::uint64_t>& keys, Array<Index>& values, int key
             // A runtime may grant fewer threads than asked for: shares are dealt out by share number, not by thread.
             const int granted = omp_get_num_threads();
             for (int t = omp_get_thread_num(); t < threads; t += granted) {
-                std::uint32_t* count = &offsets_[static_cast<std::size_t>(t) * digits];
+                std::uint32_t* count = &offsets[static_cast<std::size_t>(t) * digits];
                 for (std::size_t i = share_begin(n, t, threads); i < share_begin(n, t + 1, threads); ++i)
                     ++count[(keys[i] >> shift) & mask];
             }
 #pragma omp barrier
 #pragma omp single
-            exclusive_offsets(offsets_, threads);
+            exclusive_offsets(offsets, threads);
             for (int t = omp_get_thread_num(); t < threads; t += granted) {
-                std::uint32_t* next = &offsets_[static_cast<std::size_t>(t) * digits];
+                std::uint32_t* next = &offsets[static_cast<std::size_t>(t) * digits];
                 for (std::size_t i = share_begin(n, t, threads); i < share_begin(n, t + 1, threads); ++i) {
                     const std::uint32_t to = next[(keys[i] >> shift) & mask]++;
-                    key_buffer_[to] = keys[i];
-                    value_buffer_[to] = values[i];
+                    key_buffer[to] = keys[i];
+                    value_buffer[to] = values[i];
                 }
             }
         }
-        keys.swap(key_buffer_);
-        values.swap(value_buffer_);
+        keys.swap(key_buffer);
+        values.swap(value_buffer);
     }
 }
 

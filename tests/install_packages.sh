@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what sluice is built and validated with, from Debian's own packages; skips apt if all are there. With the word
-# `tests` also what only tests need (340 MB). Not among that, as it takes longer to install than to use, and its tests are
-# skipped without: chromium, npm, python3-vtk9 (520 MB). Further words are packages. Usage: install_packages.sh [tests] [PACKAGE...]
+# `tests` also what only tests need (860 MB, most of it the browser and VTK). Further words are packages.
+# Usage: install_packages.sh [tests] [PACKAGE...]
 set -eu
 packages="g++ cmake ninja-build libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev \
 nlohmann-json3-dev libmuparser-dev zlib1g-dev libcpp-httplib-dev libcairo2-dev pkg-config catch2 \
@@ -9,7 +9,11 @@ libbenchmark-dev python3 python3-numpy python3-matplotlib python3-h5py"
 if [ "${1:-}" = tests ]; then
     shift
     packages="$packages python3-dev pybind11-dev python3-pandas python3-jsonschema groff-base doxygen dpkg-dev file \
-python3-fusepy fuse3"
+python3-fusepy fuse3 python3-vtk9"
+    # These often come from elsewhere: the package is wanted only where the command is missing.
+    for needed in chromium:chromium node:nodejs npm:npm; do
+        command -v "${needed%:*}" >/dev/null || packages="$packages ${needed#*:}"
+    done
 fi
 packages="$packages $*"
 

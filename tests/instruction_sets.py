@@ -34,7 +34,7 @@ def places(program, scene, end, name, folder):
     done = subprocess.run([program, "run", scene, "-o", folder, "--isa", name, "--threads", "1", "--until", f"{end:.10g}", "--set",
                            f"output.checkpoint_interval={0.9 * end:.10g}", "--set", "output.frame_interval=0"],
                           capture_output=True, text=True)
-    if done.returncode == 2:
+    if done.returncode == 2 and "--isa" in done.stderr:
         return None
     if done.returncode != 0:
         raise SystemExit(f"{scene}: the run failed:\n{done.stderr[-2000:]}")

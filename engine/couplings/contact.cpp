@@ -210,9 +210,9 @@ double SolidContact<Dim>::energy() const {
         sum += ordered_sum<double>(
             p.size(), [&](std::size_t n) { return at_wall(n) / stiffness(materials.of_body(p.body[n])); });
     const std::size_t owned = c_.state.solid.owned;  // all: they may have changed their places in memory since
-    for (std::size_t p = 0; p < plane_threshold_.size(); ++p)
+    for (std::size_t plane = 0; plane < plane_threshold_.size(); ++plane)
         sum += ordered_sum<double>(owned, [&](std::size_t i) {
-            const double z = depth(p, i);
+            const double z = depth(plane, i);
             return 0.5 * plane_stiffness(i) * z * z;
         });
     return sum;

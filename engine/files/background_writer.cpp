@@ -1,7 +1,8 @@
 #include "engine/files/background_writer.hpp"
 
-#include <chrono>
 #include <utility>
+
+#include "engine/base/wall_clock.hpp"
 
 namespace sluice {
 
@@ -20,10 +21,9 @@ BackgroundWriter::~BackgroundWriter() {
 
 template <class Done>
 void BackgroundWriter::wait(std::unique_lock<std::mutex>& lock, Done&& done) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const auto start = WallClock::now();
     changed_.wait(lock, done);
-    waited_ += std::chrono::duration<double>(Clock::now() - start).count();
+    waited_ += seconds_since(start);
 }
 
 void BackgroundWriter::add(std::size_t bytes, Task task) {

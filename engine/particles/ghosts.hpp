@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "kernels/columns/columns.hpp"
@@ -38,12 +39,17 @@ struct GhostPlane {
     Vec<Dim> image_direction(const Vec<Dim>& v) const { return is_mirror() ? v - 2 * dot(v, normal) * normal : v; }
 };
 
+/// Thrown where so many planes lie near the same particles that the ways across them cannot be numbered.
+struct TooManyGhostPaths : std::length_error {
+    using std::length_error::length_error;
+};
+
 /// Which ghosts a set of particles has. Ghost number k stands at index owned + k.
 template <int Dim>
 class Ghosts {
   public:
     /// Decides the ghosts of the first `owned` particles: those no farther from a plane than range(i), and appends
-    /// their positions. [m] Throws std::length_error if there are more ways across planes than can be numbered.
+    /// their positions. [m] Throws TooManyGhostPaths.
     template <class Range>
     void create(const std::vector<GhostPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
                 Range&& range);
@@ -87,6 +93,7 @@ class Ghosts {
     /// Planes that lead from an owned particle to a ghost, the first one first.
     using Path = std::vector<std::uint32_t>;
     using PathNumber = std::uint16_t;
+    static constexpr std::size_t most_paths = std::size_t{std::numeric_limits<PathNumber>::max()} + 1;
 
     template <class Show>
     void show(VectorField<Dim>& field, std::size_t owned, Show&& across) const {
@@ -106,8 +113,10 @@ class Ghosts {
     }
     /// The path that goes on across one more plane.
     PathNumber add_path(PathNumber from, std::size_t plane) {
-        if (paths_.size() > std::numeric_limits<PathNumber>::max())
-            throw std::length_error("particles have ghosts across more mirror planes at once than can be numbered");
+        if (paths_.size() == most_paths)
+            throw TooManyGhostPaths(
+                "so many mirror walls lie near the same particles that these have ghosts by more than " +
+                std::to_string(most_paths - 1) + " ways across them");
         paths_.push_back(paths_[from]);
         paths_.back().push_back(static_cast<std::uint32_t>(plane));
         return static_cast<PathNumber>(paths_.size() - 1);

@@ -22,6 +22,7 @@ namespace {
 using Verdict = Decision::Verdict;
 using Clock = std::chrono::steady_clock;
 using Shares = decltype(SceneCost::phases);
+using Turn = CostTurn;
 
 constexpr std::pair<Effect, StepPhase> required_phases[]{
     {Effect::fluid_pressure, StepPhase::fluid_pass},      {Effect::fluid_pressure, StepPhase::density_pass},
@@ -73,17 +74,6 @@ std::optional<double> uncertainty_of_median(const std::vector<double>& values, d
     const double sigma = 1.4826 * median(distances);
     return student_t(values.size()) * std::sqrt(M_PI / 2 / static_cast<double>(values.size())) * sigma;
 }
-
-/// What some steps have cost, or all so far.
-struct Turn {
-    double cpu = 0, wall = 0, simulated = 0;  ///< [s]
-    double steps = 0, particle_steps = 0;
-
-    Turn& operator+=(const Turn& t) {
-        cpu += t.cpu, wall += t.wall, simulated += t.simulated, steps += t.steps, particle_steps += t.particle_steps;
-        return *this;
-    }
-};
 
 template <int Dim>
 Turn advance(Simulation<Dim>& simulation, int steps) {
@@ -201,24 +191,15 @@ void compare(const Scene& scene, const CostEffort& effort, double rate, EffectCo
     const Turn other = advance(switched, step_cycle);
     if (other.cpu > slower.cpu) slower = other;
     const int steps = steps_for(effort.seconds / (2 * turns), slower);
-    std::vector<double> ratios;
-    Turn a, b;
+    std::vector<Turn> plain_turns, switched_turns;
     take_turns(watch, effort, [&](std::size_t n) {
         // In turns, so that neither always finds the caches as the other has left them.
-        if (n % 2 == 0) b = advance(switched, steps);
-        a = advance(plain, steps);
-        if (n % 2 == 1) b = advance(switched, steps);
-        ratios.push_back(b.cpu / b.simulated / (a.cpu / a.simulated));
+        if (n % 2 == 0) switched_turns.push_back(advance(switched, steps));
+        plain_turns.push_back(advance(plain, steps));
+        if (n % 2 == 1) switched_turns.push_back(advance(switched, steps));
     });
     check_state(switched);
-    const double ratio = median(ratios);
-    effect.basis = CostBasis::switched;
-    effect.rounds = ratios.size();
-    effect.change = ratio - 1;
-    effect.uncertainty = uncertainty_of_median(ratios, ratio);
-    effect.share = effect.choice.on ? -effect.change : 0;
-    effect.step_ratio = (b.simulated / b.steps) / (a.simulated / a.steps);
-    effect.rate_change = rate * ((b.particle_steps / b.simulated) / (a.particle_steps / a.simulated) / ratio - 1);
+    judge_turns(plain_turns, switched_turns, rate, effect);
 }
 
 /// Whatever may go wrong with the effect the other way is no failure of the scene.
@@ -268,6 +249,21 @@ std::vector<StepPhase> phases_for(Effect effect) {
     for (const auto& [of, phase] : required_phases)
         if (of == effect) phases.push_back(phase);
     return phases;
+}
+
+void judge_turns(std::span<const Turn> plain, std::span<const Turn> switched, double rate, EffectCost& effect) {
+    std::vector<double> ratios;
+    for (std::size_t n = 0; n < plain.size(); ++n)
+        ratios.push_back(switched[n].cpu / switched[n].simulated / (plain[n].cpu / plain[n].simulated));
+    const Turn &a = plain.back(), &b = switched.back();
+    const double ratio = median(ratios);
+    effect.basis = CostBasis::switched;
+    effect.rounds = ratios.size();
+    effect.change = ratio - 1;
+    effect.uncertainty = uncertainty_of_median(ratios, ratio);
+    effect.share = effect.choice.on ? -effect.change : 0;
+    effect.step_ratio = (b.simulated / b.steps) / (a.simulated / a.steps);
+    effect.rate_change = rate * ((b.particle_steps / b.simulated) / (a.particle_steps / a.simulated) / ratio - 1);
 }
 
 template <int Dim>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,21 @@ struct SceneCost {
     double load = 0;                  ///< programs that the machine ran or kept waiting, in the minute before
     std::vector<EffectCost> effects;  ///< in the order of the table, each of it
 };
+
+/// What some steps have cost, or all so far.
+struct CostTurn {
+    double cpu = 0, wall = 0, simulated = 0;  ///< [s]
+    double steps = 0, particle_steps = 0;
+
+    CostTurn& operator+=(const CostTurn& t) {
+        cpu += t.cpu, wall += t.wall, simulated += t.simulated, steps += t.steps, particle_steps += t.particle_steps;
+        return *this;
+    }
+};
+
+/// What turns of a scene say against as many of it with the effect the other way, `rate` being the scene's alone [1/s]:
+/// all of EffectCost that `switched` has.
+void judge_turns(std::span<const CostTurn> plain, std::span<const CostTurn> switched, double rate, EffectCost& effect);
 
 /// How long the measuring may take.
 struct CostEffort {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engine/base/wall_clock.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "engine/watch/state_check.hpp"
 #include "neighbor/thread_count.hpp"
@@ -21,8 +22,6 @@ constexpr int step_cycle = 4;
 /// Enough to tell something by; where other programs interrupt all but a few steps, those that they do interrupt count.
 constexpr std::uint64_t fewest_steps = 20;
 
-double seconds_since(Nanoseconds start) { return 1e-9 * static_cast<double>(clock_now() - start); }
-
 /// Steps on one number of threads.
 template <int Dim>
 struct Timing {
@@ -35,7 +34,7 @@ struct Timing {
     void take_turn(Simulation<Dim>& simulation, double seconds, bool all_count) {
         const ThreadCount count(profile.threads());
         simulation.step();  // brings the data to the cores that will use them
-        const Nanoseconds start = clock_now();
+        const auto start = WallClock::now();
         do
             for (int s = 0; s < step_cycle; ++s) {
                 const StepProfile kept = profile;
@@ -64,7 +63,7 @@ struct Timing {
 
 template <int Dim>
 SceneBench bench_scene(const Scene& scene, double seconds) {
-    const Nanoseconds start = clock_now();
+    const auto start = WallClock::now();
     const int threads = omp_get_max_threads();
     Simulation<Dim> simulation(scene);
     SceneBench bench;

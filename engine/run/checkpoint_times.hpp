@@ -2,8 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 
+#include "engine/base/wall_clock.hpp"
 #include "engine/run/schedule.hpp"
 #include "engine/scene/scene.hpp"
 
@@ -14,17 +14,17 @@ namespace sluice {
 class CheckpointTimes {
   public:
     explicit CheckpointTimes(const OutputTimes& output)
-        : simulated_(output.checkpoint_interval), wall_(60 * output.checkpoint_minutes), last_(Clock::now()) {}
+        : simulated_(output.checkpoint_interval), wall_(60 * output.checkpoint_minutes), last_(WallClock::now()) {}
 
     /// Asked once after each step of length `dt`. [s]
     bool due(double time, double dt) {
         const bool by_time = simulated_.ask(time, dt) == Schedule::Answer::due;
-        return by_time || (wall_ > 0 && seconds_since_last() >= std::max(wall_, least_ratio * cost_));
+        return by_time || (wall_ > 0 && seconds_since(last_) >= std::max(wall_, least_ratio * cost_));
     }
     /// Tells that one was written, and how long it took. [s]
     void was_written(double cost) {
         cost_ = cost;
-        last_ = Clock::now();
+        last_ = WallClock::now();
     }
 
     /// visit(name, member) for what changes during a run, but for the clock.
@@ -34,15 +34,13 @@ class CheckpointTimes {
     }
 
   private:
-    using Clock = std::chrono::steady_clock;
     /// Onto a slow disk less often, so that no more than a hundredth of the time goes there.
     static constexpr double least_ratio = 100;
-    double seconds_since_last() const { return std::chrono::duration<double>(Clock::now() - last_).count(); }
 
     Schedule simulated_;
     double wall_;  ///< [s]
     double cost_ = 0;
-    Clock::time_point last_;
+    WallClock::time_point last_;
 };
 
 }  // namespace sluice

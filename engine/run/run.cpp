@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "engine/base/process_usage.hpp"
 #include "engine/base/stop_request.hpp"
 #include "engine/base/version.hpp"
+#include "engine/base/wall_clock.hpp"
 #include "engine/checkpoint/checkpoint_store.hpp"
 #include "engine/errors.hpp"
 #include "engine/files/atomic_file.hpp"
@@ -36,21 +36,17 @@ namespace {
 /// Steps between two looks at the state of each particle: seldom enough to be free, often enough to lose little.
 constexpr std::uint64_t steps_per_look = 50;
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// Adds its lifetime to a sum.
 class Stopwatch {
   public:
-    explicit Stopwatch(double& sum) : sum_(sum), start_(Clock::now()) {}
+    explicit Stopwatch(double& sum) : sum_(sum), start_(WallClock::now()) {}
     ~Stopwatch() { sum_ += seconds_since(start_); }
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;
 
   private:
     double& sum_;
-    Clock::time_point start_;
+    WallClock::time_point start_;
 };
 
 /// The canonical scene is written beside the results; that must not replace the file which it came from.
@@ -80,7 +76,7 @@ class Run {
   public:
     Run(const Scene& scene, const RunOptions& options)
         : directory_(options.directory),
-          start_(Clock::now()),
+          start_(WallClock::now()),
           cpu_start_(process_cpu_seconds()),
           simulation_(scene),
           watch_(simulation_),
@@ -372,7 +368,7 @@ class Run {
 
     std::filesystem::path directory_;
     std::optional<FolderLock> lock_;
-    Clock::time_point start_;
+    WallClock::time_point start_;
     double cpu_start_;
     Simulation<Dim> simulation_;
     Watch<Dim> watch_;

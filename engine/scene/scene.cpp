@@ -1,6 +1,6 @@
 #include "engine/scene/scene.hpp"
 
-#include "engine/scene/place.hpp"
+#include "engine/scene/describe.hpp"
 
 namespace sluice {
 

@@ -127,17 +127,22 @@ struct Simulation<Dim>::Impl {
         guarded([&] { neighbors.update(); });
     }
 
-    /// Particles that fly apart until their cells cannot be numbered are a numerical failure.
+    /// Particles that fly apart until their cells cannot be numbered are a numerical failure, and those that come where
+    /// too many mirror walls meet.
     template <class Work>
     void guarded(Work&& work) const {
+        const auto broke_down = [this](const char* what, const char* cause) {
+            return NumericalError(fmt::format("the computation broke down: after step {} (t = {:.6g} s) {}{}",
+                                              context.steps, context.time, what, cause));
+        };
         try {
             work();
+        } catch (const TooManyGhostPaths& error) {
+            throw broke_down(error.what(), "; walls of kind \"fixed\" can stand where many mirror walls meet");
         } catch (const std::length_error& error) {
-            throw NumericalError(
-                fmt::format("the computation broke down: after step {} (t = {:.6g} s) {}; something drives them apart: "
-                            "pressures or "
-                            "speeds beyond what sound_speed bears, or too long a step (lower method.courant)",
-                            context.steps, context.time, error.what()));
+            throw broke_down(error.what(),
+                             "; something drives them apart: pressures or speeds beyond what sound_speed bears, or too "
+                             "long a step (lower method.courant)");
         }
     }
 
@@ -155,9 +160,7 @@ struct Simulation<Dim>::Impl {
         visit("neighbors", neighbors);
     }
 
-    PairMethod<Dim> pair_method() const {
-        return {scene.method.precision, smoothing};
-    }
+    PairMethod<Dim> pair_method() const { return {scene.method.precision, smoothing}; }
 
     Scene scene;
     Effects effects;
@@ -174,6 +177,11 @@ template <int Dim>
 Simulation<Dim>::Simulation(const Scene& scene) {
     try {
         impl_ = std::make_unique<Impl>(scene);
+    } catch (const TooManyGhostPaths& error) {
+        scene.fail("walls",
+                   fmt::format("found {} walls, and {}; expected fewer mirror walls within a support, or a wall "
+                               "of kind \"fixed\" in their place",
+                               scene.walls.size(), error.what()));
     } catch (const std::length_error& error) {  // too far apart for the search's cells
         scene.fail("method.spacing", fmt::format("found {} m, at which {}; expected bodies and walls nearer together",
                                                  scene.method.spacing, error.what()));

@@ -98,7 +98,7 @@ class Diagram {
         return name_line * static_cast<double>(wrapped(study_.methods[line.method]).size()) + note_line + block_gap;
     }
 
-    Box plot_box() const {
+    SvgBox plot_box() const {
         double height = 0;
         for (const Line& line : lines_) height += block_height(line);
         return {left_margin, top_margin, page_width - right_margin, top_margin + std::max(height, least_height)};
@@ -184,7 +184,7 @@ class Diagram {
                                               percent_text(*quantity_.uncertainty),
                                               quantity_.extrapolated ? "extrapolation's" : "reference's");
         const double width = text_width(words, note_size), height = note_size + 4;
-        std::vector<Box> candidates;
+        std::vector<SvgBox> candidates;
         for (const double y : {top + 4, plot_.bottom - height - 4, top + 22, top - height - 3})
             for (const double x : {plot_.left + 8, plot_.right - width - 8, 0.5 * (plot_.left + plot_.right - width)})
                 candidates.push_back({x, y, x + width, y + height});
@@ -216,7 +216,7 @@ class Diagram {
                       "class=\"front\" fill=\"none\" stroke=\"#cfcfcf\" stroke-width=\"6\" "
                       "stroke-linejoin=\"round\" stroke-linecap=\"round\"");
         const double width = text_width("Pareto front", note_size), height = note_size + 3;
-        std::vector<Box> candidates;
+        std::vector<SvgBox> candidates;
         for (std::size_t i = 1; i < steps.size(); i += 2)
             for (const double x : {steps[i - 1].x + 8, steps[i].x - width - 8})
                 candidates.push_back({x, steps[i].y + 6, x + width, steps[i].y + 6 + height});
@@ -337,7 +337,7 @@ class Diagram {
     const Quantity& quantity_;
     std::size_t index_;
     std::vector<Line> lines_;
-    Box plot_;
+    SvgBox plot_;
     Svg svg_;
     LogAxis x_, y_;
     LabelLayout labels_;

@@ -16,7 +16,7 @@ constexpr std::array<Place, 8> directions{
 constexpr std::array<double, 4> distances{7, LabelLayout::beside, 18, LabelLayout::farthest};
 constexpr double gap = 6;  ///< words closer than this read as one [px]
 
-Box around(Place middle, double width, double height) {
+SvgBox around(Place middle, double width, double height) {
     return {middle.x - width / 2, middle.y - height / 2, middle.x + width / 2, middle.y + height / 2};
 }
 
@@ -31,18 +31,18 @@ void LabelLayout::add_stroke(const std::vector<Place>& points) {
     }
 }
 
-std::size_t LabelLayout::strokes_under(const Box& box) const {
+std::size_t LabelLayout::strokes_under(const SvgBox& box) const {
     return static_cast<std::size_t>(std::count_if(strokes_.begin(), strokes_.end(), [&](const Place& p) {
         return p.x > box.left && p.x < box.right && p.y > box.top && p.y < box.bottom;
     }));
 }
 
-std::optional<Box> LabelLayout::place(const std::vector<Box>& candidates) {
-    std::optional<Box> best;
+std::optional<SvgBox> LabelLayout::place(const std::vector<SvgBox>& candidates) {
+    std::optional<SvgBox> best;
     std::size_t covered = std::numeric_limits<std::size_t>::max();
-    for (const Box& box : candidates) {
+    for (const SvgBox& box : candidates) {
         if (!box.lies_in(limits_)) continue;
-        if (std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Box& o) { return o.meets(box); })) continue;
+        if (std::any_of(obstacles_.begin(), obstacles_.end(), [&](const SvgBox& o) { return o.meets(box); })) continue;
         const std::size_t under = strokes_under(box);
         if (under >= covered) continue;
         best = box;
@@ -52,8 +52,8 @@ std::optional<Box> LabelLayout::place(const std::vector<Box>& candidates) {
     return best;
 }
 
-std::optional<Box> LabelLayout::place_beside(Place point, double width, double height, double reach) {
-    std::vector<Box> candidates;
+std::optional<SvgBox> LabelLayout::place_beside(Place point, double width, double height, double reach) {
+    std::vector<SvgBox> candidates;
     width += gap;
     for (const double distance : distances) {
         if (distance > reach) break;

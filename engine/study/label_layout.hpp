@@ -12,27 +12,27 @@ namespace sluice {
 class LabelLayout {
   public:
     /// Words stay inside `limits`.
-    explicit LabelLayout(const Box& limits) : limits_(limits) {}
+    explicit LabelLayout(const SvgBox& limits) : limits_(limits) {}
 
     /// What no word may cover.
-    void add_obstacle(const Box& box) { obstacles_.push_back(box); }
+    void add_obstacle(const SvgBox& box) { obstacles_.push_back(box); }
     /// What words rather do not cover: a stroke.
     void add_stroke(const std::vector<Place>& points);
 
     /// The first of the boxes that covers no obstacle, or of several the one that covers the least of the strokes; it
     /// becomes an obstacle. None if all cover one.
-    std::optional<Box> place(const std::vector<Box>& candidates);
+    std::optional<SvgBox> place(const std::vector<SvgBox>& candidates);
 
     /// A box for a word beside a point, the nearer the better; no farther than `reach`.
-    std::optional<Box> place_beside(Place point, double width, double height, double reach = farthest);
+    std::optional<SvgBox> place_beside(Place point, double width, double height, double reach = farthest);
 
     static constexpr double farthest = 28, beside = 11;  ///< of a word's edge from its point [px]
 
   private:
-    std::size_t strokes_under(const Box& box) const;
+    std::size_t strokes_under(const SvgBox& box) const;
 
-    Box limits_;
-    std::vector<Box> obstacles_;
+    SvgBox limits_;
+    std::vector<SvgBox> obstacles_;
     std::vector<Place> strokes_;  ///< points a few pixels apart
 };
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/base/stop_request.hpp"
+#include "engine/base/wall_clock.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "engine/study/child_run.hpp"
 #include "engine/study/evaluate.hpp"
@@ -22,10 +23,6 @@ namespace {
 
 /// Between two looks at a child: short against the shortest run, long against what a look costs.
 constexpr std::chrono::milliseconds look_interval{20};
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 class Campaign {
   public:
@@ -139,7 +136,7 @@ class Campaign {
         std::error_code ignored;
         std::filesystem::remove(folder(turn) / "result.json", ignored);
         make_folder(folder(turn));
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = WallClock::now();
         ChildRun child(words(turn), folder(turn) / log_name);
         std::optional<ChildEnd> end;
         while (!(end = child.poll()) && !stop.received()) {

@@ -54,7 +54,7 @@ void Svg::polyline(const std::vector<Place>& points, std::string_view attributes
     raw(fmt::format("<polyline points=\"{}\" {}/>", list, attributes));
 }
 
-void Svg::rectangle(const Box& box, std::string_view attributes) {
+void Svg::rectangle(const SvgBox& box, std::string_view attributes) {
     raw(fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>", box.left, box.top,
                     box.right - box.left, box.bottom - box.top, attributes));
 }

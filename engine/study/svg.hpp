@@ -14,11 +14,11 @@ struct Place {
     double x = 0, y = 0;
 };
 
-struct Box {
+struct SvgBox {
     double left = 0, top = 0, right = 0, bottom = 0;
 
-    bool meets(const Box& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
-    bool lies_in(const Box& o) const {
+    bool meets(const SvgBox& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
+    bool lies_in(const SvgBox& o) const {
         return left >= o.left && right <= o.right && top >= o.top && bottom <= o.bottom;
     }
 };
@@ -31,7 +31,7 @@ class Svg {
     /// `attributes` as in XML, e.g. `fill="none" stroke="#000"`.
     void line(Place a, Place b, std::string_view attributes);
     void polyline(const std::vector<Place>& points, std::string_view attributes);
-    void rectangle(const Box& box, std::string_view attributes);
+    void rectangle(const SvgBox& box, std::string_view attributes);
     void text(Place at, std::string_view words, std::string_view attributes);
     /// Any element, written by the caller.
     void raw(std::string_view element);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/view/field_ranges.hpp"
-#include "engine/view/packing.hpp"
+#include "engine/view/frame_packing.hpp"
 #include "engine/view/run_folder.hpp"
 
 namespace sluice {

@@ -100,10 +100,10 @@ std::string count_text(std::size_t count) {
     return text;
 }
 
-void draw_legend(Drawing& drawing, const MarkPlace& at, const std::vector<ParticleSet>& sets,
+void draw_legend(Drawing& drawing, const MarkPlace& at, const std::vector<DrawnSet>& sets,
                  std::pair<double, double> corner) {
     Legend legend(drawing, at.palette, corner);
-    for (const ParticleSet& set : sets) {
+    for (const DrawnSet& set : sets) {
         legend.add(set.name, set.note, set.color);
         if (!set.clamp) continue;
         const auto& places = set.packing->position;

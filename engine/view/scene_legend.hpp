@@ -12,7 +12,7 @@
 namespace sluice {
 
 /// Particles of one body or wall, and its lines in the legend.
-struct ParticleSet {
+struct DrawnSet {
     std::string name, note;
     const Packing* packing = nullptr;
     const Shape* clamp = nullptr;  ///< may be null
@@ -27,7 +27,7 @@ constexpr std::uint32_t darkened(std::uint32_t color) { return (color >> 1U) & 0
 std::string count_text(std::size_t count);
 
 /// Downwards from a place in the picture.
-void draw_legend(Drawing& drawing, const MarkPlace& at, const std::vector<ParticleSet>& sets,
+void draw_legend(Drawing& drawing, const MarkPlace& at, const std::vector<DrawnSet>& sets,
                  std::pair<double, double> corner);
 
 }  // namespace sluice

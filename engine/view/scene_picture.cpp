@@ -29,9 +29,9 @@ constexpr std::array<std::uint32_t, 4> fluid_colors{0x458cc7, 0x2f9e93, 0x7d72c9
 constexpr std::array<std::uint32_t, 4> solid_colors{0xd18042, 0xbf4f51, 0xb0962b, 0x9a6a8f};
 constexpr std::array<std::uint32_t, 2> wall_colors{0x98a1ab, 0xb9b3a4};
 
-std::vector<ParticleSet> sets_of(const Scene& scene, const std::vector<Packing>& bodies,
-                                 const std::vector<Packing>& walls) {
-    std::vector<ParticleSet> sets;
+std::vector<DrawnSet> sets_of(const Scene& scene, const std::vector<Packing>& bodies,
+                              const std::vector<Packing>& walls) {
+    std::vector<DrawnSet> sets;
     std::size_t fluids = 0, solids = 0, fixed = 0;
     const auto note = [](const char* what, const Packing& packing, double spacing) {
         return fmt::format("{}, {} at {}", what, count_text(packing.position.size()), length_text(spacing));
@@ -71,11 +71,11 @@ Point foot_on(const Wall& wall, const Projection::Bounds& bounds) {
 }
 
 /// All that is to be seen, and a little more.
-Projection::Bounds bounds_of(const Scene& scene, const std::vector<ParticleSet>& sets) {
+Projection::Bounds bounds_of(const Scene& scene, const std::vector<DrawnSet>& sets) {
     const double margin = scene.dimension == 2 ? 0.03 : 0;  // in 3D the box that is drawn ends where its walls are
     Projection::Bounds bounds;
     bounds.fill({INFINITY, -INFINITY});
-    for (const ParticleSet& set : sets)
+    for (const DrawnSet& set : sets)
         for (const Point& p : set.packing->position)
             for (const double half : {-0.5 * set.spacing, 0.5 * set.spacing})
                 extend(bounds, {p[0] + half, p[1] + half, scene.dimension == 3 ? p[2] + half : 0});
@@ -99,10 +99,10 @@ Projection::Bounds bounds_of(const Scene& scene, const std::vector<ParticleSet>&
     return bounds;
 }
 
-void draw_particles(Drawing& drawing, const MarkPlace& at, const std::vector<ParticleSet>& sets) {
+void draw_particles(Drawing& drawing, const MarkPlace& at, const std::vector<DrawnSet>& sets) {
     constexpr double gap = 0.9;  // of a diameter, so that particles are seen one by one where they are large enough
     std::vector<Sprite> sprites;
-    for (const ParticleSet& set : sets)
+    for (const DrawnSet& set : sets)
         for (const Point& place : set.packing->position) {
             const Point p = at.to(place);
             const bool held = set.clamp && set.clamp->contains(place);
@@ -121,7 +121,7 @@ void draw_particles(Drawing& drawing, const MarkPlace& at, const std::vector<Par
 
 std::string scene_picture(const Scene& scene) {
     const std::vector<Packing> bodies = pack_bodies(scene), walls = pack_walls(scene);
-    const std::vector<ParticleSet> sets = sets_of(scene, bodies, walls);
+    const std::vector<DrawnSet> sets = sets_of(scene, bodies, walls);
     const Projection::Bounds bounds = bounds_of(scene, sets);
     Point up{0, 1, 0};
     if (scene.gravity != Point{})

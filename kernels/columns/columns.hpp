@@ -1,6 +1,9 @@
 // The columns of a set of particles, as a member each. Those that nobody needs stay empty.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "kernels/columns/column_table.hpp"
@@ -33,6 +36,9 @@ struct ColumnTypes<Dim, Rank::flag> {
 
 }  // namespace detail
 
+/// A column of Rank::number holds 0 … most_numbers − 1: so many bodies, and so many walls, can be told apart.
+inline constexpr std::size_t most_numbers = std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
+
 /// What holds a column of this rank: an Array of numbers, or a TupleField of as many as it has components.
 template <int Dim, Rank R>
 using FieldOf = typename detail::ColumnTypes<Dim, R>::Field;
@@ -44,7 +50,7 @@ struct Columns {
 #undef SLUICE_COLUMN
 
     /// The member of a column: columns[column::velocity] is columns.velocity.
-#define SLUICE_COLUMN(name, ...)                                        \
+#define SLUICE_COLUMN(name, ...)                                     \
     auto& operator[](ColumnTag<Column::name>) { return this->name; } \
     const auto& operator[](ColumnTag<Column::name>) const { return this->name; }
 #include "kernels/columns/columns.def"
@@ -89,7 +95,8 @@ void for_each_array(ColumnsOfDim& columns, Visit&& visit) {
 template <int Dim>
 std::size_t bytes_of(const Columns<Dim>& columns) {
     std::size_t bytes = 0;
-    for_each_array(columns, [&](const ColumnInfo&, const auto& array) { bytes += array.capacity() * sizeof(array[0]); });
+    for_each_array(columns,
+                   [&](const ColumnInfo&, const auto& array) { bytes += array.capacity() * sizeof(array[0]); });
     return bytes;
 }
 

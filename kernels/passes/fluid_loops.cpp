@@ -10,8 +10,7 @@ namespace sluice::SLUICE_ISA {
     SLUICE_INSTANTIATE_PASS(Number, ViscousMomentum<Dim>)  \
     SLUICE_INSTANTIATE_PASS(Number, MorrisMomentum<Dim>)   \
     SLUICE_INSTANTIATE_PASS(Number, DensityRate<Dim>)      \
-    SLUICE_INSTANTIATE_PASS(Number, FilterSums<Dim>)       \
-    SLUICE_INSTANTIATE_PASS(Number, FluidRates<Dim>)
+    SLUICE_INSTANTIATE_PASS(Number, FilterSums<Dim>)
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)
 SLUICE_INSTANTIATE(3, double)

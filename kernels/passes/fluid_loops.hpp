@@ -62,24 +62,4 @@ struct FilterSums {
     }
 };
 
-/// Momentum and continuity at once, for schemes that take both at the same instant: acceleration, then dρ/dt.
-template <int Dim>
-struct FluidRates {
-    static constexpr std::string_view name = "fluid momentum and continuity";
-    static constexpr int dim = Dim, outputs = Dim + 1;
-    static constexpr ColumnSet reads_i = ViscousMomentum<Dim>::reads_i | Continuity::reads_i;
-    static constexpr ColumnSet reads_j = ViscousMomentum<Dim>::reads_j | Continuity::reads_j;
-
-    ViscousMomentum<Dim> momentum;
-
-    template <class Pair>
-    [[gnu::always_inline]] Vec<outputs, typename Pair::Real> operator()(const Pair& ij) const {
-        const auto a = momentum(ij);
-        Vec<outputs, typename Pair::Real> out;
-        unroll<Dim>([&](int k) __attribute__((always_inline)) { out[k] = a[k]; });
-        out[Dim] = Continuity{}(ij);
-        return out;
-    }
-};
-
 }  // namespace sluice

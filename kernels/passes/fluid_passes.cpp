@@ -47,22 +47,6 @@ std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList&
 }
 
 template <int Dim>
-std::uint64_t fluid_rates(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
-                          const PairMethod<Dim>& method, VectorField<Dim>& acceleration, ScalarField& density_rate) {
-    if (terms.viscosity == Viscosity::morris) {
-        fluid_momentum(fluid, list, terms, method, acceleration);
-        return continuity(fluid, list, method, density_rate);
-    }
-    const FluidRates<Dim> rates{{{}, central_viscosity<Dim>(terms)}};
-    return sum_pairs(rates, method, fluid, fluid, list, [&](Index i, const Vec<Dim + 1>& sum) {
-        Vec<Dim> a;
-        for (int k = 0; k < Dim; ++k) a[k] = sum[k];
-        acceleration.set(i, acceleration[i] + a);
-        density_rate[i] += sum[Dim];
-    });
-}
-
-template <int Dim>
 std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const NeighborList& list, double theta,
                               const PairMethod<Dim>& method, VectorField<Dim>& correction) {
     for (ScalarField& column : correction.c) std::fill(column.begin(), column.end(), 0.0);
@@ -78,8 +62,6 @@ std::uint64_t velocity_filter(const ParticleView<Dim>& particles, const Neighbor
                                                const PairMethod<Dim>&, VectorField<Dim>&);                        \
     template std::uint64_t continuity<Dim>(const ParticleView<Dim>&, const NeighborList&, const PairMethod<Dim>&, \
                                            ScalarField&);                                                         \
-    template std::uint64_t fluid_rates<Dim>(const ParticleView<Dim>&, const NeighborList&, const FluidTerms&,     \
-                                            const PairMethod<Dim>&, VectorField<Dim>&, ScalarField&);             \
     template std::uint64_t velocity_filter<Dim>(const ParticleView<Dim>&, const NeighborList&, double,            \
                                                 const PairMethod<Dim>&, VectorField<Dim>&);
 SLUICE_INSTANTIATE(2)

@@ -27,11 +27,6 @@ template <int Dim>
 std::uint64_t continuity(const ParticleView<Dim>& particles, const NeighborList& list, const PairMethod<Dim>& method,
                          ScalarField& density_rate);
 
-/// Both of the above, for schemes that take both at the same instant: in one loop, but for Morris's viscosity.
-template <int Dim>
-std::uint64_t fluid_rates(const ParticleView<Dim>& fluid, const NeighborList& list, const FluidTerms& terms,
-                          const PairMethod<Dim>& method, VectorField<Dim>& acceleration, ScalarField& density_rate);
-
 /// Velocity filter, eq. (16): correction_i = (1 − θ) Σ_j V_j (v_j − v_i) W_ij / Σ_j V_j W_ij, V_j = m_j/ρ̄_ij, the sum
 /// in the denominator with the particle itself, which must stand in its own list. Particles that are not listed get
 /// zero.

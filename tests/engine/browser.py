@@ -32,8 +32,9 @@ class Browser:
         # WebGL by software, as on a machine without a graphics card.
         self.process = subprocess.Popen(
             [find_browser(), "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             "--remote-debugging-pipe", f"--user-data-dir={self.folder}", "--no-first-run", "--disable-extensions",
-             "--disable-background-networking", f"--window-size={width},{height}", "about:blank"],
+             "--disable-gpu", "--remote-debugging-pipe", f"--user-data-dir={self.folder}", "--no-first-run",
+             "--disable-extensions", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+             "--disable-quic", f"--window-size={width},{height}", "about:blank"],
             preexec_fn=connect, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(ask_read)
         os.close(tell_write)

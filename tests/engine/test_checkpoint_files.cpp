@@ -1,5 +1,6 @@
 // Checkpoints on the disk: damage is always noticed, and the one before takes the place of a damaged one.
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <random>
 
@@ -174,6 +175,24 @@ TEST_CASE("What has changed in a scene is told line by line") {
     REQUIRE(text_difference("a\nb\nc\nd\n", "a\nc\nd\ne\n") == "- b\n+ e\n");
     REQUIRE(text_difference("", "a\n") == "+ a\n");
     REQUIRE(text_difference("a\nx\nb\ny\nc", "a\nb\nc") == "- x\n- y\n");
+}
+
+TEST_CASE("Of long texts that differ all over, all lines are told, and no table of their pairs is made") {
+    const auto numbers = [](const char* sign, int from, int count) {
+        std::string text;
+        for (int i = from; i < from + count; ++i) text += sign + std::to_string(i) + '\n';
+        return text;
+    };
+    const auto peak_megabytes = [] {
+        rusage usage{};
+        ::getrusage(RUSAGE_SELF, &usage);
+        return usage.ru_maxrss / 1024;
+    };
+    constexpr int lines = 20'000;  // 4e8 pairs, a table of 1.6 GB
+    const long before = peak_megabytes();
+    const std::string difference = text_difference("a\n" + numbers("", 0, lines), "a\n" + numbers("", lines, lines));
+    REQUIRE(peak_megabytes() - before < 100);  // both texts, their lines, and the answer: 2 MB
+    REQUIRE((difference == numbers("- ", 0, lines) + numbers("+ ", lines, lines)));
 }
 
 TEST_CASE("A line file goes on after the lines that count") {

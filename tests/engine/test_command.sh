@@ -120,20 +120,23 @@ expect 2 "unknown key" "$program" study "$vortex" --vary method.spacign=1,2 -o n
 expect 2 "--vary is required" "$program" study "$vortex"
 [ ! -e none ] || fail "a refused study leaves a folder"
 
-# Killed in the middle, nothing that was done is lost and no run goes on.
-"$program" study "$vortex" --vary method.courant=0.1,0.15,0.2,0.25,0.3,0.35 --set output.end=0.4 --repeat 3 -o killed >out 2>&1 &
-pid=$!
-while [ -z "$(ls killed/runs/*/result.json 2>/dev/null)" ]; do sleep 0.05; done
-kill -KILL $pid
-wait $pid 2>/dev/null
+# Killed in the middle, nothing that was done is lost and no run goes on. Where it was done before, once more.
+for attempt in 1 2 3 4 5; do
+    rm -rf killed
+    "$program" study "$vortex" --vary method.courant=0.1,0.15,0.2,0.25,0.3,0.35 --set output.end=0.4 --repeat 3 -o killed >out 2>&1 &
+    pid=$!
+    while [ -z "$(ls killed/runs/*/result.json 2>/dev/null)" ]; do sleep 0.05; done
+    kill -KILL $pid
+    wait $pid 2>/dev/null
+    [ "$(ls killed/runs/*/result.json | wc -l)" -eq 18 ] || break
+done
 holds '"methods"' killed/study.json
-done_before=$(ls killed/runs/*/result.json | wc -l)
-[ "$done_before" -lt 18 ] || fail "the study was done before it could be killed"
+[ "$(ls killed/runs/*/result.json | wc -l)" -lt 18 ] || fail "$attempt times the study was done before it could be killed"
 expect 0 "of 18 runs are done already" "$program" study "$vortex" --vary method.courant=0.1,0.15,0.2,0.25,0.3,0.35 --set output.end=0.4 --repeat 3 -o killed
 [ "$(ls killed/runs/*/result.json | wc -l)" -eq 18 ] || fail "the study was not completed"
 
-# Asked to stop, it says how to go on.
-"$program" study "$vortex" --vary method.spacing=0.004 -o stopping >out 2>&1 &
+# Asked to stop, it says how to go on. Its run would take hours.
+"$program" study "$vortex" --vary method.spacing=0.004 --set output.end=1000 -o stopping >out 2>&1 &
 pid=$!
 while [ ! -s stopping/runs/*/summary.json ]; do sleep 0.05; done
 kill -TERM $pid
@@ -188,27 +191,31 @@ mkdir empty
 expect 2 "empty: found no checkpoint" "$program" run --resume empty
 
 # A few hundred steps, with a frame, a row and a checkpoint every few of them.
-settings="--until 0.03 --set output.frame_interval=0.004 --set output.probe_interval=0.001"
+intervals="--set output.frame_interval=0.004 --set output.probe_interval=0.001"
+settings="--until 0.03 $intervals"
 often="--set output.checkpoint_interval=0.0012"
 # shellcheck disable=SC2086 # settings are words
 expect 0 "done" "$program" run "$gate" -o whole $settings --threads 1
 
-# Stopped by a signal, once more when it goes on, then left to its end.
+# Stopped by a signal, once more when it goes on, which both would take hours, then left to an end.
 # shellcheck disable=SC2086
-"$program" run "$gate" -o termed $settings >out 2>&1 &
+"$program" run "$gate" -o termed --until 100 $intervals >out 2>&1 &
 pid=$!
 while [ ! -e termed/frames/frame_0001.hdf ]; do sleep 0.02; done
 kill -TERM $pid
 wait $pid
 [ -e termed/checkpoints ] || fail "an interrupted run leaves no checkpoint"
-"$program" run --resume termed --threads 2 >out 2>&1 &
+"$program" run --resume termed --until 100 --threads 2 >out 2>&1 &
 pid=$!
 while [ ! -e termed/frames/frame_0003.hdf ]; do sleep 0.02; done
 kill -TERM $pid
 wait $pid
-expect 0 "going on from termed/checkpoints/step_" "$program" run --resume termed --threads 1
-same whole termed
-expect 0 "termed is finished: it ran to 0.03 s" "$program" run --resume termed
+end=$(python3 -c 'import json; print(json.load(open("termed/summary.json"))["simulated_time"] + 0.005)')
+expect 0 "going on from termed/checkpoints/step_" "$program" run --resume termed --until "$end" --threads 1
+# shellcheck disable=SC2086
+expect 0 "done" "$program" run "$gate" -o longer --until "$end" $intervals --threads 2
+same longer termed
+expect 0 "termed is finished: it ran to " "$program" run --resume termed
 
 # Killed at moments of every kind, again and again; SLUICE_KILLS says how often.
 kills=${SLUICE_KILLS:-10}

@@ -6,6 +6,7 @@
 #include "engine/scene/table/excerpt.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "tests/catch.hpp"
+#include "tests/engine/physics_scenes.hpp"
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
@@ -157,6 +158,38 @@ shape = {box = {min = [1.0, 0.0], max = [5.0, 4.0]}}
 spacing = 1.0
 )toml"));
     REQUIRE(simulation.boundary().owned == 16);
+}
+
+TEST_CASE("More bodies or walls than particles can name are refused", "[scene][hostile]") {
+    const auto many = [](const std::string& kind, std::size_t count) {
+        std::string text = with(gate, "[bodies.water]", "[bodies.first]");
+        text = with(text, "[walls.bottom]", "[walls.first]");
+        for (std::size_t k = 0; k < count; ++k) text += "[" + kind + ".more" + std::to_string(k) + "]\n";
+        return text;
+    };
+    // The gate has two of each, in 50 lines.
+    CHECK(load_error(many("bodies", most_numbers - 1)) ==
+          "65585: bodies.more65534: found 65537 bodies, expected 65536 at the most");
+    CHECK(load_error(many("walls", most_numbers - 1)) ==
+          "65585: walls.more65534: found 65537 walls, expected 65536 at the most");
+    // As many as there may be are read: the first of those that say nothing is answered.
+    CHECK_THAT(load_error(many("bodies", most_numbers - 2)), StartsWith("51: bodies.more0"));
+    CHECK_THAT(load_error(many("walls", most_numbers - 2)), StartsWith("51: walls.more0"));
+}
+
+TEST_CASE("More mirror walls in one place than ghosts can be told apart by are refused", "[checks][hostile]") {
+    const auto answer = [](int walls) {
+        std::string text = preamble(0.01) + water_box("0.0, 0.0", "0.02, 0.02");  // four particles
+        for (int k = 0; k < walls; ++k)
+            text += "[walls.w" + std::to_string(k) + "]\nkind = \"mirror\"\npoint = [0.0, 0.0]\nnormal = [0.0, 1.0]\n";
+        return error_of([&] { Simulation<2> simulation(load(text)); });
+    };
+    CHECK(answer(8) == "");
+    CHECK(answer(17) ==
+          "20: walls: found 17 walls, and so many mirror walls lie near the same particles that these have ghosts by "
+          "more "
+          "than 65535 ways across them; expected fewer mirror walls within a support, or a wall of kind \"fixed\" in "
+          "their place");
 }
 
 }  // namespace sluice

@@ -55,6 +55,34 @@ TEST_CASE("Ghosts follow their owners: velocities reflected, scalars copied") {
     REQUIRE(p == ScalarField{8, 8, 8, 8});
 }
 
+TEST_CASE("Planes are told apart however many there are") {
+    // Twice 256 and more, of which the particle meets the last two.
+    std::vector<GhostPlane<2>> planes(600, {{{0.0, -100.0}}, {{0.0, 1.0}}});
+    planes.push_back(floor_plane);
+    planes.push_back(left_plane);
+    VectorField<2> x;
+    x.push_back({{0.02, 0.01}});
+    Ghosts<2> ghosts;
+    ghosts.create(planes, x, 1, [](std::size_t) { return 0.1; });
+    REQUIRE(ghosts.count() == 3);
+    REQUIRE(x[1] == Vec<2>{{0.02, -0.01}});
+    REQUIRE(x[2] == Vec<2>{{-0.02, 0.01}});
+    REQUIRE(x[3] == Vec<2>{{-0.02, -0.01}});
+}
+
+TEST_CASE("Ghosts by more ways across planes than have numbers are refused, not mixed up") {
+    // Each plane doubles the ways to a particle that it meets, the one across no plane included.
+    const auto ghosts_across = [](std::size_t planes) {
+        VectorField<2> x;
+        x.push_back({{0.02, 0.01}});
+        Ghosts<2> ghosts;
+        ghosts.create(std::vector<GhostPlane<2>>(planes, floor_plane), x, 1, [](std::size_t) { return 0.1; });
+        return ghosts.count();
+    };
+    REQUIRE(ghosts_across(16) == 65535);
+    REQUIRE_THROWS_AS(ghosts_across(17), TooManyGhostPaths);
+}
+
 TEST_CASE("An oblique plane reflects along its normal") {
     const double r = std::sqrt(0.5);
     const GhostPlane<2> plane{{{1.0, 0.0}}, {{r, r}}};

@@ -99,7 +99,7 @@ TEST_CASE("Studies with hardly anything in them are drawn as well", "[study]") {
 
 TEST_CASE("Words are placed beside their points and over no other", "[study]") {
     LabelLayout layout({0, 0, 200, 200});
-    std::vector<Box> placed;
+    std::vector<SvgBox> placed;
     for (int i = 0; i < 12; ++i) {
         const auto box = layout.place_beside({100 + 3.0 * i, 100 - 2.0 * i}, 30, 10);
         if (box) placed.push_back(*box);
@@ -107,7 +107,7 @@ TEST_CASE("Words are placed beside their points and over no other", "[study]") {
     CHECK(placed.size() >= 8);  // twelve points within 33 pixels: some have no room near them
     for (std::size_t a = 0; a < placed.size(); ++a)
         for (std::size_t b = 0; b < a; ++b) CHECK_FALSE(placed[a].meets(placed[b]));
-    for (const Box& box : placed) CHECK(box.lies_in({0, 0, 200, 200}));
+    for (const SvgBox& box : placed) CHECK(box.lies_in({0, 0, 200, 200}));
 }
 
 TEST_CASE("Blocks are spread without overlap, near to where they want to be", "[study]") {

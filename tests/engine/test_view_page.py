@@ -11,15 +11,24 @@ from browser import Browser, find_browser
 
 SKIPPED = 77
 SHOW = "(() => { const s = document.getElementById('slider'); s.value = %d; s.oninput(); })()"
-# The middle of the page's frames is not equal to its background everywhere.
-INK = """(() => {
-    const c = document.getElementById('picture'), gl = c.getContext('webgl2');
+PIXELS = """const c = document.getElementById('picture'), gl = c.getContext('webgl2');
     const p = new Uint8Array(4 * c.width * c.height);
-    gl.readPixels(0, 0, c.width, c.height, gl.RGBA, gl.UNSIGNED_BYTE, p);
+    gl.readPixels(0, 0, c.width, c.height, gl.RGBA, gl.UNSIGNED_BYTE, p);"""
+# How many pixels are not background.
+INK = f"""(() => {{
+    {PIXELS}
     let n = 0;
     for (let i = 3; i < p.length; i += 4) n += p[i] > 0;
     return n;
-})()"""
+}})()"""
+# A number that is another one for another picture; the second frame from now is drawn by what is set now.
+HASH = f"""new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {{
+    {PIXELS}
+    let h = 0;
+    for (const x of p) h = (31 * h + x) | 0;
+    done(h);
+}})))"""
+COLORS = "document.querySelectorAll('#colors select')[0]"
 
 
 def make_run(program, scene, folder, settings):
@@ -74,24 +83,25 @@ def check_page(browser, address, folder):
     browser.wait_for(f"document.documentElement.dataset.theme != '{theme}'")
     browser.press("t")
 
-    # Every field can be shown.
-    fields = "[...document.querySelectorAll('#colors select')[0].options].map(option => option.value)"
-    for field in browser.value(fields):
-        browser.value("(() => { const s = document.querySelectorAll('#colors select')[0];"
-                      f" s.value = '{field}'; s.onchange(); }})()")
-    browser.wait_for(f"{INK} > 100")
+    # Every field of the fluid can be shown, and all but one colour differ from it: the water is deep and moves.
+    pictures = {}
+    for field in browser.value(f"[...{COLORS}.options].map(option => option.value)"):
+        browser.value(f"(() => {{ const s = {COLORS}; s.value = '{field}'; s.onchange(); }})()")
+        pictures[field] = browser.value(HASH)
+    check({"", "speed", "pressure"} <= set(pictures), f"fields {sorted(pictures)}")
+    for field in ("speed", "pressure"):
+        check(pictures[field] != pictures[""], f"{field} is drawn in one colour")
+        browser.value(f"(() => {{ const s = {COLORS}; s.value = '{field}'; s.onchange(); }})()")
+        check(browser.value(HASH) == pictures[field], f"{field} is drawn in other colours the second time")
 
     # A click on a particle shows its values, one on a curve leads to its time.
-    browser.value("document.querySelectorAll('#colors select')[0].value = 'speed'")
-    centre = browser.value("""(() => {
-        const c = document.getElementById('picture'), gl = c.getContext('webgl2'), r = c.getBoundingClientRect();
-        const p = new Uint8Array(4 * c.width * c.height);
-        gl.readPixels(0, 0, c.width, c.height, gl.RGBA, gl.UNSIGNED_BYTE, p);
-        const inked = [];
+    centre = browser.value(f"""(() => {{
+        {PIXELS}
+        const r = c.getBoundingClientRect(), inked = [];
         for (let i = 0; i < c.width * c.height; ++i) if (p[4 * i + 3] == 255) inked.push(i);
         const i = inked[inked.length >> 1];
         return [r.x + i % c.width, r.y + c.height - Math.floor(i / c.width)];
-    })()""")
+    }})()""")
     browser.click(*centre)
     browser.wait_for("document.querySelectorAll('#pick tr').length > 3")
     if browser.value("document.querySelector('.u-over') !== null"):

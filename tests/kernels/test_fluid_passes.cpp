@@ -32,7 +32,8 @@ void check_all_passes(const Particles<Dim>& p, const NeighborList& list) {
     in_all_variants([&](Precision precision) {
         auto a = zeros<Dim>(p.size()), correction = zeros<Dim>(p.size());
         ScalarField rate(p.size(), 0.0);
-        fluid_rates<Dim>(p.view(), list, {0.5, 30}, precision, a, rate);
+        fluid_momentum<Dim>(p.view(), list, {0.5, 30}, precision, a);
+        continuity<Dim>(p.view(), list, precision, rate);
         velocity_filter<Dim>(p.view(), list, 0.92, precision, correction);
         CHECK(worst_error(a, momentum) < twin_tolerance(precision));
         CHECK(worst_error(rate, rates) < twin_tolerance(precision));
@@ -78,24 +79,6 @@ TEMPLATE_TEST_CASE_SIG("continuity equals its twin", "[fluid]", ((int Dim), Dim)
             CHECK(worst_error(rate, expected) < twin_tolerance(precision));
             CHECK(pairs == list.pairs());
         });
-    });
-}
-
-TEMPLATE_TEST_CASE_SIG("fluid_rates equals both twins, with viscosity and without", "[fluid]", ((int Dim), Dim), 2, 3) {
-    in_all_scenes<Dim>(2, [](const auto& p, const NeighborList& list) {
-        const auto rates = twin::continuity<Dim>(p);
-        for (const double alpha : {0.0, 0.7}) {
-            const auto momentum = twin::fluid_momentum<Dim>(p, alpha, 30);
-            in_all_variants([&](Precision precision) {
-                auto a = zeros<Dim>(p.size());
-                ScalarField rate(p.size(), 0.0);
-                const auto pairs = fluid_rates<Dim>(p.view(), list, {alpha, 30}, precision, a, rate);
-                CAPTURE(alpha);
-                CHECK(worst_error(a, momentum) < twin_tolerance(precision));
-                CHECK(worst_error(rate, rates) < twin_tolerance(precision));
-                CHECK(pairs == list.pairs());
-            });
-        }
     });
 }
 
@@ -191,7 +174,8 @@ TEMPLATE_TEST_CASE_SIG("a particle feels nothing of itself, nor of another at it
         in_all_variants([&](Precision precision) {
             auto a = zeros<Dim>(p.size());
             ScalarField rate(p.size(), 0.0);
-            fluid_rates<Dim>(p.view(), list, {1, 30}, precision, a, rate);
+            fluid_momentum<Dim>(p.view(), list, {1, 30}, precision, a);
+            continuity<Dim>(p.view(), list, precision, rate);
             CHECK(same_bits(a, zeros<Dim>(p.size())));
             CHECK((rate == ScalarField(p.size(), 0.0)));
         });
@@ -218,8 +202,7 @@ TEMPLATE_TEST_CASE_SIG("a pass adds to what is there, for listed particles only"
         fluid_momentum<Dim>(p.view(), list, {}, precision, once);
         fluid_momentum<Dim>(p.view(), list, {}, precision, onto);
         ScalarField rate(p.size(), 5.0);
-        auto both = zeros<Dim>(p.size());
-        fluid_rates<Dim>(p.view(), list, {}, precision, both, rate);
+        continuity<Dim>(p.view(), list, precision, rate);
         const auto scale = error_scale(expected), rate_scale = error_scale(rates);
         std::size_t wrong = 0;
         double worst = 0;
@@ -228,7 +211,6 @@ TEMPLATE_TEST_CASE_SIG("a pass adds to what is there, for listed particles only"
                 const double sum = i < owned ? expected.value[i][k] : 0;
                 wrong += onto[i][k] != 5.0 + once[i][k];
                 worst = std::max(worst, relative_error(once[i][k], sum, scale[i]));
-                worst = std::max(worst, relative_error(both[i][k], sum, scale[i]));
             }
             worst = std::max(worst, relative_error(rate[i], 5 + (i < owned ? rates.value[i][0] : 0), rate_scale[i]));
             wrong += i >= owned && rate[i] != 5;
@@ -244,7 +226,8 @@ TEMPLATE_TEST_CASE_SIG("fluid passes over nothing do nothing", "[fluid]", ((int 
     in_all_variants([&](Precision precision) {
         auto a = zeros<Dim>(0);
         ScalarField rate;
-        CHECK(fluid_rates<Dim>(none.view(), list, {1, 30}, precision, a, rate) == 0);
+        CHECK(fluid_momentum<Dim>(none.view(), list, {1, 30}, precision, a) == 0);
+        CHECK(continuity<Dim>(none.view(), list, precision, rate) == 0);
         CHECK(velocity_filter<Dim>(none.view(), list, 0.92, precision, a) == 0);
     });
 }
@@ -263,7 +246,6 @@ TEMPLATE_TEST_CASE_SIG("fluid passes have the same bits for any number of thread
             fluid_momentum<Dim>(p.view(), list, {0.5, 30}, precision, a);
             velocity_filter<Dim>(p.view(), list, 0.92, precision, correction);
             continuity<Dim>(p.view(), list, precision, rate);
-            fluid_rates<Dim>(p.view(), list, {0.5, 30}, precision, a, rate);
             momentum.push_back(a);
             filter.push_back(correction);
             rates.push_back(rate);

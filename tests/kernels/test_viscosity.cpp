@@ -59,18 +59,13 @@ int cells_for(double h_over_d) {
 TEMPLATE_TEST_CASE_SIG("the laminar viscosities equal their twins", "[viscosity]", ((int Dim), Dim), 2, 3) {
     in_all_scenes<Dim>(1, [](const auto& p, const NeighborList& list) {
         const auto along_v = twin::morris_momentum<Dim>(p, nu), along_x = twin::monaghan_gingold_momentum<Dim>(p, nu);
-        const auto rates = twin::continuity<Dim>(p);
         in_all_variants([&](Precision precision) {
             for (const FluidTerms& terms : {morris, monaghan_gingold}) {
                 const auto& expected = terms.viscosity == Viscosity::morris ? along_v : along_x;
-                auto a = zeros<Dim>(p.size()), fused = zeros<Dim>(p.size());
-                ScalarField rate(p.size(), 0.0);
+                auto a = zeros<Dim>(p.size());
                 const auto pairs = fluid_momentum<Dim>(p.view(), list, terms, precision, a);
-                CHECK(fluid_rates<Dim>(p.view(), list, terms, precision, fused, rate) == list.pairs());
                 CAPTURE(terms.viscosity == Viscosity::morris);
                 CHECK(worst_error(a, expected) < twin_tolerance(precision));
-                CHECK(worst_error(fused, expected) < twin_tolerance(precision));
-                CHECK(worst_error(rate, rates) < twin_tolerance(precision));
                 CHECK(pairs == list.pairs());
             }
         });
@@ -109,12 +104,9 @@ TEMPLATE_TEST_CASE_SIG("no viscosity by any name is the inviscid fluid", "[visco
     fluid_momentum<Dim>(p.view(), list, {}, Precision::full, inviscid);
     for (const FluidTerms& terms : {FluidTerms{0.5, 30, Viscosity::none, nu}, FluidTerms{0.5, 30, Viscosity::morris, 0},
                                     FluidTerms{0.5, 30, Viscosity::monaghan_gingold, 0}}) {
-        auto a = zeros<Dim>(p.size()), fused = zeros<Dim>(p.size());
-        ScalarField rate(p.size(), 0.0);
+        auto a = zeros<Dim>(p.size());
         fluid_momentum<Dim>(p.view(), list, terms, Precision::full, a);
-        fluid_rates<Dim>(p.view(), list, terms, Precision::full, fused, rate);
         CHECK(same_bits(a, inviscid));
-        CHECK(worst_error(fused, twin::fluid_momentum<Dim>(p, 0, 30)) < twin_tolerance(Precision::full));
     }
 }
 

@@ -36,6 +36,11 @@ int try_range(std::uint64_t first, std::uint64_t count, bool tell_all) {
     for (std::size_t k = 0; k < outcomes.size(); ++k)
         std::printf("%d %s%s", outcomes[k], names[k], k < 3 ? ", " : "\n");
     const int failed = outcomes[static_cast<std::size_t>(Outcome::failed)];
+    // Of those that are made up a good part can run: a reader that refuses all of them is no sound one.
+    if (count >= 20 && outcomes[static_cast<std::size_t>(Outcome::ran)] < static_cast<int>(count / 5)) {
+        std::printf("hardly any of them ran\n");
+        return 1;
+    }
     if (failed > 0) std::printf("replay with `random_scenes SEED`; `random_scenes --print SEED` shows the scene\n");
     return failed > 0 ? 1 : 0;
 }

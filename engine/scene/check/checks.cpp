@@ -10,7 +10,7 @@
 #include "engine/scene/check/memory_check.hpp"
 #include "engine/scene/check/overlap.hpp"
 #include "engine/scene/check/thickness.hpp"
-#include "engine/scene/place.hpp"
+#include "engine/scene/describe.hpp"
 #include "kernels/smoothing.hpp"
 
 namespace sluice {

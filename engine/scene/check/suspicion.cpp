@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/scene/place.hpp"
+#include "engine/scene/describe.hpp"
 
 namespace sluice {
 namespace {

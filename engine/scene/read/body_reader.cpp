@@ -4,6 +4,7 @@
 
 #include "engine/scene/formula.hpp"
 #include "engine/scene/read/reader_parts.hpp"
+#include "kernels/columns/columns.hpp"
 
 namespace sluice {
 namespace {
@@ -73,6 +74,14 @@ Body read_body(TomlTable& table, const std::string& name) {
     return body;
 }
 
+/// Each particle names its body or wall in a column of numbers.
+void check_count(TomlTable& all, const char* what) {
+    const std::vector<std::string> names = all.keys();
+    if (names.size() <= most_numbers) return;
+    all.get(names[most_numbers])
+        .fail(fmt::format("found {} {}, expected {} at the most", names.size(), what, most_numbers));
+}
+
 void read_mirror(TomlTable& table, Wall& wall) {
     wall.point = table.get("point").point();
     const TomlValue normal = table.get("normal");
@@ -139,6 +148,7 @@ void read_bodies(TomlTable& root) {
     const TomlValue value = root.get("bodies");
     if (!value) value.reject("a table of one body or more");
     TomlTable all(value);
+    check_count(all, "bodies");
     for (const std::string& name : all.keys()) {
         TomlTable table(all.get(name));
         root.scene().bodies.push_back(read_body(table, name));
@@ -150,6 +160,7 @@ void read_walls(TomlTable& root) {
     const TomlValue value = root.get("walls");
     if (!value) return;
     TomlTable all(value);
+    check_count(all, "walls");
     for (const std::string& name : all.keys()) {
         TomlTable table(all.get(name));
         root.scene().walls.push_back(read_wall(table, name));

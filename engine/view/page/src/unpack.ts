@@ -1,4 +1,4 @@
-// Packed frames, as engine/view/packing.hpp describes them.
+// Packed frames, as engine/view/frame_packing.hpp describes them.
 
 export interface ColumnHead {
     name: string;

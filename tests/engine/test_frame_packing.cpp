@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "engine/errors.hpp"
-#include "engine/view/packing.hpp"
+#include "engine/view/frame_packing.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/view_runs.hpp"
 

@@ -38,12 +38,12 @@ std::vector<float> unpack_numbers(const PackedColumn& column, std::size_t count)
 std::vector<std::uint32_t> unpack_identities(const PackedColumn& column, std::size_t count);
 
 /// How a frame is packed. Columns: positions, fields, `group` (as `group_of` has it per particle), `id`.
-struct Packing {
+struct FramePacking {
     int dimension = 2;
     std::vector<std::string> fields;  ///< of field_columns
     int level = 6;                    ///< zlib's, 1 (fast) to 9
 };
-std::string pack_frame(const StoredFrame& frame, std::span<const std::uint32_t> group_of, const Packing& packing);
+std::string pack_frame(const StoredFrame& frame, std::span<const std::uint32_t> group_of, const FramePacking& packing);
 
 /// Base64 of RFC 4648, as HTML can hold it.
 std::string base64(std::string_view bytes);

@@ -1,4 +1,4 @@
-#include "engine/view/packing.hpp"
+#include "engine/view/frame_packing.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -109,7 +109,7 @@ std::vector<std::uint32_t> unpack_identities(const PackedColumn& column, std::si
     return unpack<std::uint32_t>(column.bytes, count);
 }
 
-std::string pack_frame(const StoredFrame& frame, std::span<const std::uint32_t> group_of, const Packing& packing) {
+std::string pack_frame(const StoredFrame& frame, std::span<const std::uint32_t> group_of, const FramePacking& packing) {
     std::vector<NumberColumn> numbers = position_columns(frame.table, packing.dimension);
     for (const NumberColumn& column : field_columns(frame.table, packing.dimension))
         if (std::find(packing.fields.begin(), packing.fields.end(), column.name) != packing.fields.end())

@@ -1,4 +1,4 @@
-#include "engine/scene/place.hpp"
+#include "engine/scene/describe.hpp"
 
 #include <fmt/format.h>
 
