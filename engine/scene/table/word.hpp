@@ -15,6 +15,11 @@ struct Word {
     std::string_view word;       ///< as in scenes and files
     std::string_view name = {};  ///< in messages, where that is not the word
 };
+// Written out for clang 14, which does not deduce the arguments of aggregates.
+template <class Enum>
+Word(Enum, std::string_view) -> Word<Enum>;
+template <class Enum>
+Word(Enum, std::string_view, std::string_view) -> Word<Enum>;
 
 /// The table of an enumeration, in the order in which choices are listed.
 template <class Enum>
