@@ -114,7 +114,7 @@ constexpr SceneKey rows[]{
     {"effects", table, said("all \"auto\""), "switches; `sluice help effects` explains them"},
 
     // What there is.
-    {"materials", names, required, "one fluid and one solid at the most"},
+    {"materials", names, required, "fluids and solids, any number"},
     {"materials.*", table, said("none"), "a material"},
     {"materials.*.kind", word<MaterialKind>, required, "what it is"},
     {"materials.*.density", number(positive, "kg/m³"), required, "at rest; water 1000, rubber 1100"},
