@@ -46,7 +46,7 @@ TEST_CASE("A lattice that flows through a periodic box many times stays a lattic
     waves::advance_to(s, 5 * side / 2.0);
     REQUIRE(s.work().neighbour_builds > 5);
     REQUIRE(s.fluid().owned == count);
-    std::set<std::uint32_t> ids;
+    std::set<std::uint64_t> ids;
     for (std::size_t i = 0; i < count; ++i) {
         ids.insert(s.fluid().id[i]);
         // Positions are rounded at each step, 700 of them to 1e-17 m; what differs in pressure pushes at 30 m/s.
