@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "bench/suite.hpp"
-#include "engine/profile/roofline_loops.hpp"
+#include "engine/run/profile/roofline_loops.hpp"
 #include "neighbor/fields.hpp"
 
 namespace sluice::bench {

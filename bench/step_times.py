@@ -35,13 +35,13 @@ class Scene:
 
 
 SCENES = [
-    Scene("water 2D", "engine/templates/dam-break.toml", 0.45),
-    Scene("water 3D", "engine/templates/dam-break-3d.toml", 0.5),
+    Scene("water 2D", "engine/scene/templates/dam-break.toml", 0.45),
+    Scene("water 3D", "engine/scene/templates/dam-break-3d.toml", 0.5),
     Scene("total-Lagrangian solid 2D", "validation/colliding_rings/scene.toml", 0.02, {"method.spacing": 0.0008}),
     Scene("total-Lagrangian solid 3D", "validation/spinning_bar/neo_hookean_3d.toml", 0.045, {"method.spacing": 0.0025}),
     Scene("hypoelastic solid", "validation/spinning_bar/scene.toml", 0.4),
     Scene("gate, paper", "validation/elastic_gate/scene.toml", 0.06, {"method.spacing": 0.00125}),
-    Scene("gate, modern", "engine/templates/elastic-gate.toml", 0.08),
+    Scene("gate, modern", "engine/scene/templates/elastic-gate.toml", 0.08),
     Scene("gate 3D", "validation/elastic_gate_3d/modern.toml", 0.014, {"method.spacing": 0.0025}),
 ]
 

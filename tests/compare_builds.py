@@ -37,7 +37,7 @@ class Scene:
 
 
 def scenes(quick):
-    found = [Scene(str(p.relative_to(ROOT)), p, {}) for folder in ("validation/*", "engine/templates")
+    found = [Scene(str(p.relative_to(ROOT)), p, {}) for folder in ("validation/*", "engine/scene/templates")
              for p in sorted(ROOT.glob(f"{folder}/*.toml"))]
     for case in case_data.load_cases(fast=quick):
         found += [Scene(job.name, job.scene, job.set) for job in case.jobs]

@@ -1,6 +1,6 @@
 #include "engine/api/field_table.hpp"
 
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 
 namespace sluice::api {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/include/sluice/field.hpp"
+#include "engine/api/include/sluice/field.hpp"
 #include "engine/simulation/simulation.hpp"
 
 namespace sluice::api {

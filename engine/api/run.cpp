@@ -1,10 +1,10 @@
-#include "engine/include/sluice/run.hpp"
+#include "engine/api/include/sluice/run.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/errors.hpp"
 #include "engine/base/version.hpp"
-#include "engine/errors.hpp"
 #include "engine/run/resume.hpp"
 #include "engine/run/run.hpp"
 #include "neighbor/isa.hpp"

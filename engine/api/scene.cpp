@@ -1,4 +1,4 @@
-#include "engine/include/sluice/scene.hpp"
+#include "engine/api/include/sluice/scene.hpp"
 
 #include "engine/scene/scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/include/sluice/simulation.hpp"
+#include "engine/api/include/sluice/simulation.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "engine/api/field_table.hpp"
-#include "engine/output/frame_table.hpp"
-#include "engine/output/probes.hpp"
+#include "engine/run/output/frame_table.hpp"
+#include "engine/run/output/probes.hpp"
+#include "engine/run/watch/watch.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/table/suggestion.hpp"
 #include "engine/simulation/simulation.hpp"
-#include "engine/watch/watch.hpp"
 
 namespace sluice::api {
 namespace {

@@ -6,7 +6,7 @@
 #include "engine/command/scene_options.hpp"
 #include "engine/command/thread_settings.hpp"
 #include "engine/files/atomic_file.hpp"
-#include "engine/profile/scene_bench.hpp"
+#include "engine/run/profile/scene_bench.hpp"
 #include "engine/scene/check/suspicion.hpp"
 #include "neighbor/isa.hpp"
 #include "neighbor/thread_count.hpp"

@@ -17,7 +17,7 @@
 #include "engine/command/study_text.hpp"
 #include "engine/command/thread_settings.hpp"
 #include "engine/files/atomic_file.hpp"
-#include "engine/output/probes.hpp"
+#include "engine/run/output/probes.hpp"
 #include "engine/scene/check/suspicion.hpp"
 #include "engine/study/stored_study.hpp"
 #include "engine/view/scene_picture.hpp"

@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/effects/effect_table.hpp"
 #include "engine/scene/help/scene_help.hpp"
 #include "engine/scene/table/scene_keys.hpp"
-#include "engine/templates/scene_templates.hpp"
+#include "engine/scene/templates/scene_templates.hpp"
 
 namespace sluice {
 namespace {

@@ -8,7 +8,7 @@
 namespace sluice {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* completion_footer =
     R"(`cmake --install` puts them where shells look. Without it:
 
   bash    sluice completion bash > ~/.local/share/bash-completion/completions/sluice
@@ -22,7 +22,7 @@ void add_completion_command(CLI::App& program, Deed& chosen) {
     CLI::App& command = *program.add_subcommand("completion", "Print what lets a shell complete sluice's command line");
     const auto shell = std::make_shared<std::string>();
     command.add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
-    command.footer(footer);
+    command.footer(completion_footer);
     command.callback([shell, &program, &chosen] {
         chosen = [shell, &program] {
             const CommandNode tree = command_tree(program);

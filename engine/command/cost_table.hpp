@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/profile/cost.hpp"
+#include "engine/run/profile/cost.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {

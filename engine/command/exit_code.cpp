@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {

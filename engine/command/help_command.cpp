@@ -9,9 +9,9 @@
 #include "engine/command/commands.hpp"
 #include "engine/command/manual.hpp"
 #include "engine/command/topics.hpp"
-#include "engine/effects/effect_help.hpp"
 #include "engine/scene/help/scene_help.hpp"
 #include "engine/scene/help/scene_schema.hpp"
+#include "engine/scene/rules/effect_help.hpp"
 #include "engine/scene/table/suggestion.hpp"
 
 namespace sluice {
@@ -59,7 +59,7 @@ ExitCode print_scene_keys(const std::string& key) {
 }
 
 /// What has a list, a page per key, and a document of all.
-struct Reference {
+struct ReferencePage {
     const char* name;
     const char* what;
     const char* document;
@@ -68,7 +68,7 @@ struct Reference {
     ExitCode (*page)(const std::string& key);
 };
 
-void add_reference(CLI::App& help, const Reference& topic, Deed& chosen) {
+void add_reference(CLI::App& help, const ReferencePage& topic, Deed& chosen) {
     CLI::App& command = *help.add_subcommand(topic.name, topic.what);
     const auto arguments = std::make_shared<HelpArguments>();
     CLI::Option* key = command.add_option("KEY", arguments->key, "Only this one, with all that is known of it");

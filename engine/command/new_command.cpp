@@ -11,7 +11,7 @@
 #include "engine/scene/help/scene_schema.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/table/suggestion.hpp"
-#include "engine/templates/scene_templates.hpp"
+#include "engine/scene/templates/scene_templates.hpp"
 
 namespace sluice {
 namespace {
@@ -21,7 +21,7 @@ struct NewArguments {
     bool force = false;
 };
 
-constexpr const char* footer =
+constexpr const char* new_footer =
     R"(  sluice new                                     lists the templates
   sluice new dam-break                           writes dam-break.toml
   sluice new dam-break -o flood.toml             writes flood.toml; -o - prints it
@@ -68,7 +68,7 @@ void add_new_command(CLI::App& program, Deed& chosen) {
     command.add_option("TEMPLATE", arguments->name, "Which one; without it they are listed");
     command.add_option("-o,--output", arguments->output, "The scene [TEMPLATE.toml]")->type_name("FILE.toml");
     command.add_flag("--force", arguments->force, "Overwrite files that are there");
-    command.footer(footer);
+    command.footer(new_footer);
     command.callback([arguments, &chosen] { chosen = [arguments] { return write_scene(*arguments); }; });
 }
 

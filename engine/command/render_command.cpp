@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/errors.hpp"
 #include "engine/command/commands.hpp"
-#include "engine/errors.hpp"
 #include "engine/view/render.hpp"
 #include "engine/view/video.hpp"
 
@@ -23,7 +23,7 @@ struct RenderArguments {
     bool dark = false;
 };
 
-constexpr const char* footer =
+constexpr const char* render_footer =
     R"(Fields are those of the frames, and speed. Fluid and solid each have their own field, range and colours.
 
   sluice render results/dam                            results/dam/pictures/frame_0000.png …, movie.mp4
@@ -138,7 +138,7 @@ void add_render_command(CLI::App& program, Deed& chosen) {
         ->check(CLI::Range(1, most_per_second));
     command.add_option("--video", arguments->video, "mp4, webm, or none: pictures alone [mp4]")
         ->check(CLI::IsMember({"mp4", "webm", "none"}));
-    command.footer(footer);
+    command.footer(render_footer);
     command.callback([arguments, &chosen] { chosen = [arguments] { return render(*arguments); }; });
 }
 

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/errors.hpp"
 #include "engine/base/version.hpp"
 #include "engine/command/commands.hpp"
 #include "engine/command/scene_options.hpp"
 #include "engine/command/thread_settings.hpp"
-#include "engine/errors.hpp"
-#include "engine/profile/trace_recorder.hpp"
+#include "engine/run/profile/trace_recorder.hpp"
 #include "engine/run/resume.hpp"
 #include "engine/run/run.hpp"
 #include "engine/scene/check/suspicion.hpp"

@@ -19,7 +19,7 @@ struct ViewArguments {
     std::string port;  ///< as text: CLI11 takes the 0 of a flag for "no"
 };
 
-constexpr const char* footer =
+constexpr const char* view_footer =
     R"(The page holds the run: it opens from the disk, without a network, and can be passed on.
 Colours by any field, curves of the probes, particles with their values; `?` in it lists the keys.
 
@@ -83,7 +83,7 @@ void add_view_command(CLI::App& program, Deed& chosen) {
             ->check(CLI::Range(0, last_port))
             ->excludes(output)
             ->excludes(every);
-    command.footer(footer);
+    command.footer(view_footer);
     command.callback([arguments, server, &chosen] {
         const bool served = !server->empty();
         chosen = [arguments, served] { return served ? serve(*arguments) : write_page(*arguments); };

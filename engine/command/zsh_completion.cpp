@@ -6,7 +6,7 @@ namespace sluice {
 namespace {
 
 /// For a text within single quotes.
-std::string in_quotes(const std::string& text) {
+std::string in_zsh_quotes(const std::string& text) {
     std::string safe;
     for (const char c : text) safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return safe;
@@ -19,10 +19,10 @@ std::string part(const std::string& text) {
         if (c == '[' || c == ']' || c == ':' || c == '\\') safe += '\\';
         safe += c;
     }
-    return in_quotes(safe);
+    return in_zsh_quotes(safe);
 }
 
-std::string action(const CommandOption& option) {
+std::string zsh_action(const CommandOption& option) {
     switch (option.completion) {
         case Completion::nothing:
             return " ";
@@ -44,7 +44,7 @@ std::string option_specs(const CommandOption& option) {
     for (const std::string& name : option.names) {
         std::string spec = fmt::format("{}{}[{}]", option.repeated ? "*" : "", name, part(option.what));
         if (!option.value.empty())
-            spec += fmt::format("{}:{}:{}", option.value_optional ? ":" : "", part(option.value), action(option));
+            spec += fmt::format("{}:{}:{}", option.value_optional ? ":" : "", part(option.value), zsh_action(option));
         specs += fmt::format(" \\\n        '{}'", spec);
     }
     return specs;
@@ -57,7 +57,7 @@ std::string function_of(const CommandNode& node, const std::string& name) {
     for (const CommandOption& option : node.options) specs += option_specs(option);
     int place = 1;
     for (const CommandOption& argument : node.arguments)
-        specs += fmt::format(" \\\n        '{}:{}:{}'", place++, part(argument.value), action(argument));
+        specs += fmt::format(" \\\n        '{}:{}:{}'", place++, part(argument.value), zsh_action(argument));
     text += fmt::format("{}() {{\n", name);
     if (node.commands.empty()) return text + fmt::format("    _arguments -s{}\n}}\n", specs);
     text += "    local curcontext=$curcontext state line\n    local -a commands\n    commands=(\n";

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 
 namespace sluice {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <atomic>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 
 namespace sluice {
 namespace {

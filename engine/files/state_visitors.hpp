@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/files/hdf5_reader.hpp"
 
 namespace sluice {

@@ -1,7 +1,8 @@
 #include "engine/geometry/moving_least_squares.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
+#include "kernels/principal.hpp"
 #include "kernels/smoothing.hpp"
 
 namespace sluice {
@@ -44,9 +45,8 @@ std::optional<std::vector<Share>> least_squares_shares(const std::vector<Vec<Dim
         shares.push_back({i, weight});
     }
     if (shares.size() < fewest_points<Dim>) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim + 1, Dim + 1>> spread(moments,
-                                                                                        Eigen::EigenvaluesOnly);
-    if (spread.eigenvalues().minCoeff() < least_spread * spread.eigenvalues().maxCoeff()) return std::nullopt;
+    const Basis<Dim> spread = principal_values<Dim + 1>(moments);
+    if (spread.minCoeff() < least_spread * spread.maxCoeff()) return std::nullopt;
     const Basis<Dim> coefficient = moments.ldlt().solve(basis<Dim>({}, radius));
     for (Share& share : shares) share.weight *= basis<Dim>(points[share.point] - at, radius).dot(coefficient);
     return shares;

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "engine/geometry/packing.hpp"
-#include "engine/scene/scene.hpp"
 #include "engine/particles/part_range.hpp"
 #include "engine/particles/particle_set.hpp"
+#include "engine/scene/scene.hpp"
 
 namespace sluice {
 

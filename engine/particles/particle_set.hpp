@@ -2,8 +2,8 @@
 // columns that the scene's effects need, the others stay empty.
 #pragma once
 
-#include "engine/effects/names/set_id.hpp"
 #include "engine/particles/ghosts.hpp"
+#include "engine/scene/effects/set_id.hpp"
 
 namespace sluice {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/particles/particle_set.hpp"
 
 namespace sluice {

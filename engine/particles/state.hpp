@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "engine/effects/effects.hpp"
 #include "engine/particles/materials.hpp"
 #include "engine/particles/part_range.hpp"
 #include "engine/particles/particle_set.hpp"
 #include "engine/particles/surface.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "engine/checkpoint/checkpoint_file.hpp"
+#include "engine/run/checkpoint/checkpoint_file.hpp"
 
 namespace sluice {
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/checkpoint/checkpoint_file.hpp"
-#include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
+#include "engine/run/checkpoint/checkpoint_file.hpp"
+#include "engine/run/checkpoint/checkpoint_store.hpp"
 #include "engine/run/text_difference.hpp"
 
 namespace sluice {

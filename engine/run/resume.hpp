@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/checkpoint/checkpoint_label.hpp"
+#include "engine/run/checkpoint/checkpoint_label.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sluice {

@@ -8,26 +8,26 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/errors.hpp"
 #include "engine/base/process_usage.hpp"
 #include "engine/base/stop_request.hpp"
 #include "engine/base/version.hpp"
 #include "engine/base/wall_clock.hpp"
-#include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/errors.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "engine/files/background_writer.hpp"
 #include "engine/files/folder_lock.hpp"
 #include "engine/files/hdf5_file.hpp"
-#include "engine/output/frames.hpp"
-#include "engine/output/probes.hpp"
-#include "engine/profile/run_profile.hpp"
+#include "engine/run/checkpoint/checkpoint_store.hpp"
 #include "engine/run/checkpoint_times.hpp"
+#include "engine/run/output/frames.hpp"
+#include "engine/run/output/probes.hpp"
+#include "engine/run/profile/run_profile.hpp"
 #include "engine/run/progress.hpp"
 #include "engine/run/recovery.hpp"
 #include "engine/run/report.hpp"
 #include "engine/run/schedule.hpp"
 #include "engine/run/summary.hpp"
-#include "engine/watch/watch.hpp"
+#include "engine/run/watch/watch.hpp"
 #include "neighbor/isa.hpp"
 
 namespace sluice {

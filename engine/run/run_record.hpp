@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/run/watch/warning.hpp"
 #include "engine/step/energy_balance.hpp"
 #include "engine/step/phase_timer.hpp"
-#include "engine/watch/warning.hpp"
 
 namespace sluice {
 

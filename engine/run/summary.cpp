@@ -8,7 +8,7 @@
 #include "engine/base/process_usage.hpp"
 #include "engine/base/text_hash.hpp"
 #include "engine/base/version.hpp"
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "engine/step/phase_timer.hpp"
 #include "neighbor/isa.hpp"
 

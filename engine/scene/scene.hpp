@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/effects/names/effect.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/geometry/shape.hpp"
+#include "engine/scene/effects/effect.hpp"
 #include "engine/scene/reference.hpp"
 #include "engine/scene/table/choices.hpp"
 

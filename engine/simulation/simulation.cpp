@@ -6,13 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/couplings/make_couplings.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/files/state_visitors.hpp"
 #include "engine/particles/set_columns.hpp"
-#include "engine/parts/make_parts.hpp"
 #include "engine/scene/formula.hpp"
 #include "engine/step/balances.hpp"
+#include "engine/step/couplings/make_couplings.hpp"
+#include "engine/step/parts/make_parts.hpp"
 
 namespace sluice {
 namespace {
@@ -80,7 +80,7 @@ struct Simulation<Dim>::Impl {
     ///
     /// With more than one sub-step the solid goes through the step at its own rate: a hypoelastic one under the fluid's
     /// force of time n, a total-Lagrangian one under half of that step's impulse before it and half of the next one's
-    /// after it, less what is steady in them, which acts all the time (engine/parts/steady_load.hpp); the fluid's
+    /// after it, less what is steady in them, which acts all the time (engine/step/parts/steady_load.hpp); the fluid's
     /// continuity then sees the solid's mean velocity over the step, at its place half-way. So both sides exchange the
     /// same momentum f Δt, and the work f · Δx that the solid takes up is the one that belongs to the motion that the
     /// fluid sees. With one sub-step and staggered Euler this is the paper's scheme.

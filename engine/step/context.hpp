@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "engine/effects/effects.hpp"
 #include "engine/particles/state.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "engine/step/neighborhood.hpp"
 #include "engine/step/phase_timer.hpp"
 #include "engine/step/step_plan.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <chrono>
 
-#include "engine/effects/names/step_phase.hpp"
+#include "engine/scene/effects/step_phase.hpp"
 #include "neighbor/loop_watch.hpp"
 
 namespace sluice {

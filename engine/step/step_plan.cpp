@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/effects/effects.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
+#include "engine/scene/rules/effects.hpp"
 
 namespace sluice {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/effects/names/set_id.hpp"
+#include "engine/scene/effects/set_id.hpp"
 
 namespace sluice {
 

@@ -12,7 +12,7 @@
 #include <chrono>
 #include <system_error>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 
 namespace sluice {
 namespace {

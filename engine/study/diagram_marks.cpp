@@ -14,13 +14,13 @@ constexpr std::array<const char*, 6> colours{"#0072b2", "#d55e00", "#009e73", "#
 constexpr std::array<const char*, 3> dashes{"", " stroke-dasharray=\"7 4\"", " stroke-dasharray=\"2 3\""};
 
 /// Corners of a regular polygon, 0 = a circle, and the turn of the first corner from straight up.
-struct Shape {
+struct MarkShape {
     int corners;
     double turn;
     double radius;  ///< [px]; such that all cover about the same area
 };
 constexpr double pi = std::numbers::pi;
-constexpr std::array<Shape, 6> shapes{
+constexpr std::array<MarkShape, 6> shapes{
     {{0, 0, 4.3}, {4, pi / 4, 5.4}, {3, 0, 6.2}, {4, 0, 5.6}, {3, pi, 6.2}, {5, 0, 5.0}}};
 
 std::string raised(const std::string& exponent, double size) {
@@ -36,7 +36,7 @@ LineStyle line_style(std::size_t method) {
 }
 
 std::string mark_element(const LineStyle& style, Place at, const std::string& attributes, const std::string& title) {
-    const Shape shape = shapes[style.shape];
+    const MarkShape shape = shapes[style.shape];
     const std::string inside = title.empty() ? "" : fmt::format("<title>{}</title>", xml_text(title));
     if (shape.corners == 0)
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}>{}</circle>", at.x, at.y, shape.radius,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/scene/table/suggestion.hpp"
 
 namespace sluice {

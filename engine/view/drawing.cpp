@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 
 namespace sluice {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/scene/table/suggestion.hpp"
 
 namespace sluice {

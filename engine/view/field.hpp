@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/output/frame_table.hpp"
+#include "engine/run/output/frame_table.hpp"
 
 namespace sluice {
 

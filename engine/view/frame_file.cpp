@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/files/hdf5_reader.hpp"
 #include "engine/view/run_json.hpp"
 

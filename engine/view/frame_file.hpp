@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/output/frame_table.hpp"
+#include "engine/run/output/frame_table.hpp"
 
 namespace sluice {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/view/drawing.hpp"
 #include "engine/view/particle_raster.hpp"
 #include "engine/view/rulers.hpp"

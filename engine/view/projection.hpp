@@ -16,6 +16,8 @@ struct ViewAngles {
     double azimuth = 30, elevation = 20;  ///< as the page starts with [degrees]
 };
 
+inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 class Projection {
   public:
     using Bounds = std::array<std::pair<double, double>, 3>;

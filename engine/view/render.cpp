@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "engine/view/color_map.hpp"
 #include "engine/view/field.hpp"

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/view/run_json.hpp"
 
 namespace sluice {

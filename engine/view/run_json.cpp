@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 
 namespace sluice {
 

@@ -8,9 +8,7 @@
 namespace sluice {
 namespace {
 
-constexpr double dash = 6, text_size = 13;  // [pixels]
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+constexpr double dash = 6, mark_text_size = 13;  // [pixels]
 
 void draw_edge(Drawing& drawing, const MarkPlace& at, const Point& a, const Point& b) {
     const Point p = at.to(a), q = at.to(b);
@@ -86,15 +84,15 @@ class Labels {
     Labels(Drawing& drawing, const MarkPlace& at) : drawing_(drawing), at_(at) {}
 
     void add(double x, double y, const std::string& name, TextSide side) {
-        const double width = letter_width * text_size * static_cast<double>(name.size());
+        const double width = letter_width * mark_text_size * static_cast<double>(name.size());
         const double left = x - part_before(side) * width;
-        PictureBox box{left, y - text_size, left + width, y};
+        PictureBox box{left, y - mark_text_size, left + width, y};
         const auto covers = [&](const PictureBox& other) {
             return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
         };
         while (std::any_of(taken_.begin(), taken_.end(), covers)) box.top -= 2, box.bottom -= 2;
         taken_.push_back(box);
-        drawing_.label(x, box.bottom, name, text_size, at_.palette.ink, at_.palette.page, side);
+        drawing_.label(x, box.bottom, name, mark_text_size, at_.palette.ink, at_.palette.page, side);
     }
 
   private:

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/study/child_run.hpp"
 
 namespace sluice {

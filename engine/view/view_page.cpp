@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "engine/view/run_view.hpp"
 

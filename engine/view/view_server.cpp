@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/view/view_page.hpp"
 
 namespace sluice {

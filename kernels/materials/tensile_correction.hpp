@@ -1,8 +1,7 @@
 // The tensor R of the artificial stress, particle by particle [Antoci2007, eq. 14; Gray, Monaghan & Swift 2001].
 #pragma once
 
-#include <Eigen/Eigenvalues>
-
+#include "kernels/principal.hpp"
 #include "kernels/tensor.hpp"
 
 namespace sluice {
@@ -23,10 +22,10 @@ inline Vec<3> tensile_correction(const Vec<3>& stress_over_rho2, double e) {
 }
 
 inline Vec<6> tensile_correction(const Vec<6>& stress_over_rho2, double e) {
-    const Eigen::SelfAdjointEigenSolver<Tensor<3>> principal(sym_to_tensor<3>(stress_over_rho2));
-    if (principal.eigenvalues()[2] <= 0) return {};
-    const Eigen::Vector3d corrected = -e * principal.eigenvalues().cwiseMax(0.0);
-    const Tensor<3> r = principal.eigenvectors() * corrected.asDiagonal() * principal.eigenvectors().transpose();
+    const auto [values, axes] = principal<3>(sym_to_tensor<3>(stress_over_rho2));
+    if (values[2] <= 0) return {};
+    const Eigen::Vector3d corrected = -e * values.cwiseMax(0.0);
+    const Tensor<3> r = axes * corrected.asDiagonal() * axes.transpose();
     return tensor_to_sym<3>(r);
 }
 

@@ -1,7 +1,7 @@
 #include "kernels/passes/boundary_passes.hpp"
 
-#include "kernels/passes/boundary_loops.hpp"
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/boundary_loops.hpp"
 
 namespace sluice {
 

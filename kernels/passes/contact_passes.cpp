@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "kernels/passes/contact_loops.hpp"
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/contact_loops.hpp"
 
 namespace sluice {
 

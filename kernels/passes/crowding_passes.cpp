@@ -1,7 +1,7 @@
 #include "kernels/passes/crowding_passes.hpp"
 
-#include "kernels/passes/crowding_loops.hpp"
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/crowding_loops.hpp"
 
 namespace sluice {
 

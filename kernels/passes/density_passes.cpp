@@ -1,9 +1,9 @@
 #include "kernels/passes/density_passes.hpp"
 
+#include "kernels/pairs/pair_sum.hpp"
 #include "kernels/passes/density_loops.hpp"
 #include "kernels/passes/fluid_passes.hpp"
 #include "kernels/passes/multiphase_loops.hpp"
-#include "kernels/pairs/pair_sum.hpp"
 #include "kernels/tensor.hpp"
 
 namespace sluice {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "kernels/passes/fluid_loops.hpp"
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/fluid_loops.hpp"
 #include "kernels/passes/multiphase_loops.hpp"
 #include "kernels/terms/artificial_viscosity.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "kernels/passes/interface_loops.hpp"
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/interface_loops.hpp"
 
 namespace sluice {
 template <int Dim>

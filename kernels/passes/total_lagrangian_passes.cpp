@@ -1,10 +1,9 @@
 #include "kernels/passes/total_lagrangian_passes.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include "kernels/pairs/pair_sum.hpp"
 #include "kernels/passes/multiphase_loops.hpp"
 #include "kernels/passes/total_lagrangian_loops.hpp"
+#include "kernels/principal.hpp"
 
 namespace sluice {
 namespace {
@@ -32,8 +31,7 @@ std::uint64_t elastic_correction(const ParticleView<Dim>& solid, const NeighborL
     return with_constants(solid, stiffness, [&](const auto& stiffness_of) {
       return sum_pairs(Sums{}, method, solid, solid, list, [&](Index a, const Vec<Sums::outputs>& sum) {
         const Tensor<Dim> m = sym_to_tensor<Dim>(sum);
-        const Eigen::SelfAdjointEigenSolver<Tensor<Dim>> solver(m, Eigen::EigenvaluesOnly);
-        const bool defined = solver.eigenvalues()[0] >= smallest_eigenvalue;
+        const bool defined = principal_values<Dim>(m)[0] >= smallest_eigenvalue;
         const Tensor<Dim> l = defined ? Tensor<Dim>(m.inverse()) : Tensor<Dim>(Tensor<Dim>::Zero());
         gradient_correction.set(a, tensor_to_sym<Dim>(l));
         hourglass_stiffness[a] = defined ? stiffness_of(a) : 0.0;

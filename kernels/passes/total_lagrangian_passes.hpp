@@ -27,7 +27,7 @@
 // ζ = 0.85, because plates then bend as they should. F of the layers next to a free surface is fitted from one side,
 // which makes a plate too soft; the penalty on what is not linear makes it stiffer; both go as (h/thickness)², and
 // about there they cancel, whatever Poisson's ratio is. First period of a plate in plane strain, ten times as long as
-// thick and clamped (engine/parts/clamp_extension.hpp), against finite elements, for ν = 0 to 0.45, h/d = 1 to 1.8,
+// thick and clamped (engine/step/parts/clamp_extension.hpp), against finite elements, for ν = 0 to 0.45, h/d = 1 to 1.8,
 // cubic spline and Wendland C2: with 4 layers −5 … +2.3 %, with 6 −1.8 … +1.4 %, with 10 −0.5 … +0.7 %. The fastest
 // mode of a lattice, which the step must resolve, has ω d/c = 1.36 (2D, h/d = 1.3, ν = 0.3; 1.40 in 3D), c² = (λ +
 // 2μ)/ρ, 0.87 without control; layers next to a surface may have faster ones, up to 2.3 in bodies of two layers.
@@ -36,8 +36,8 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/pairs/block_loop.hpp"
 #include "kernels/materials/hyperelastic.hpp"
+#include "kernels/pairs/block_loop.hpp"
 
 namespace sluice {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
 namespace sluice::effect_scenes {

@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/effect_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_allocated_columns {
 namespace {
 
 using Names = std::set<std::string>;
@@ -113,4 +113,4 @@ TEST_CASE("A scene of both holds the columns of its coupling") {
           fluid + shifting + total_lagrangian + boundary + of("solid", "steady_acceleration"));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_allocated_columns

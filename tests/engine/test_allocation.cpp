@@ -27,7 +27,7 @@ void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
-namespace sluice {
+namespace sluice::test_allocation {
 namespace {
 
 template <int Dim>
@@ -118,4 +118,4 @@ TEST_CASE("Nor does a step with either solid model and coupling, or with what th
     check_no_allocation(simulation);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_allocation

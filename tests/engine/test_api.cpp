@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/include/sluice/sluice.hpp"
+#include "engine/api/include/sluice/sluice.hpp"
 #include "engine/scene/scene.hpp"
 #include "tests/catch.hpp"
 

@@ -8,7 +8,7 @@
 #include "engine/files/background_writer.hpp"
 #include "tests/catch.hpp"
 
-namespace sluice {
+namespace sluice::test_background_writer {
 
 TEST_CASE("Tasks are done in their order") {
     const std::size_t capacity = GENERATE(std::size_t{0}, std::size_t{1}, std::size_t{1000});
@@ -79,4 +79,4 @@ TEST_CASE("What waits is done before a writer goes") {
     CHECK(done == 20);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_background_writer

@@ -6,7 +6,7 @@
 #include "tests/engine/collision_scenes.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-namespace sluice {
+namespace sluice::test_boundary_coupling {
 namespace {
 
 using collisions::coupled;
@@ -145,4 +145,4 @@ TEST_CASE("A collision is the same seen from a train, with either coupling and s
     CHECK(train.interface_balance().residual < 1e-12);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_boundary_coupling

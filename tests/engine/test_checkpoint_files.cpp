@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "engine/checkpoint/checkpoint_store.hpp"
 #include "engine/files/atomic_file.hpp"
+#include "engine/run/checkpoint/checkpoint_store.hpp"
 #include "engine/run/resume.hpp"
 #include "engine/run/schedule.hpp"
 #include "engine/run/text_difference.hpp"
@@ -14,7 +14,7 @@
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::test_checkpoint_files {
 namespace {
 
 using Catch::Matchers::Contains;
@@ -220,4 +220,4 @@ TEST_CASE("The scene beside the results keeps the order of what has names") {
     REQUIRE(first.bodies[0].name == "water");
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_checkpoint_files

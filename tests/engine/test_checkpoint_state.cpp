@@ -3,14 +3,14 @@
 
 #include <cstring>
 
-#include "engine/checkpoint/checkpoint_file.hpp"
 #include "engine/particles/particle_set.hpp"
+#include "engine/run/checkpoint/checkpoint_file.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::test_checkpoint_state {
 namespace {
 
 /// All columns of a set, byte by byte.
@@ -135,4 +135,4 @@ TEST_CASE("The state of another scene is refused") {
     REQUIRE_THROWS_AS(other.restore(open_checkpoint(file)), CheckpointError);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_checkpoint_state

@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "engine/particles/state.hpp"
-#include "engine/parts/clamp_extension.hpp"
-#include "engine/parts/largest_eigenvalue.hpp"
 #include "engine/step/neighborhood.hpp"
+#include "engine/step/parts/clamp_extension.hpp"
+#include "engine/step/parts/largest_eigenvalue.hpp"
 #include "kernels/passes/total_lagrangian_passes.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_clamp_extension {
 namespace {
 
 /// A beam of square section along x, from 0 to 0.03 m, at a spacing of 2 mm; `clamp` is a shape.
@@ -295,4 +295,4 @@ TEST_CASE("A total-Lagrangian solid is stable up to its step's limit and not far
     }
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_clamp_extension

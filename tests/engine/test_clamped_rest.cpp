@@ -3,16 +3,16 @@
 #include "kernels/passes/total_lagrangian_passes.hpp"
 
 #include "engine/particles/state.hpp"
-#include "engine/parts/clamp_extension.hpp"
-#include "engine/parts/resting.hpp"
 #include "engine/step/neighborhood.hpp"
+#include "engine/step/parts/clamp_extension.hpp"
+#include "engine/step/parts/resting.hpp"
 #include "kernels/passes/fluid_passes.hpp"
 #include "kernels/passes/solid_passes.hpp"
 #include "neighbor/cluster_grid.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_clamped_rest {
 namespace {
 
 /// The paper's method, but the solid in its reference configuration.
@@ -152,4 +152,4 @@ TEMPLATE_TEST_CASE_SIG("A body that is clamped altogether takes no pass", "", ((
     CHECK(at_rest.energy().kinetic == 0);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_clamped_rest

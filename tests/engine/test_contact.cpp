@@ -1,10 +1,10 @@
 // Contact of total-Lagrangian solids: collisions, walls, rest; what it keeps, and what it costs where nothing is near.
-#include "engine/couplings/contact.hpp"
+#include "engine/step/couplings/contact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/engine/contact_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_contact {
 namespace {
 
 using namespace contact_scenes;
@@ -302,4 +302,4 @@ TEST_CASE("A hypoelastic block meets walls on request") {
     CHECK(s.energy().total() == Approx(start).epsilon(0.1));  // the model's own (test_solid_motion.cpp)
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_contact

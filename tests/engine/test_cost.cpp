@@ -1,6 +1,6 @@
 // What a scene and its effects cost. How long things take is for benchmarks to say; here: every effect is accounted
 // for, in its place, what is made of times is right, and what goes wrong is told.
-#include "engine/profile/cost.hpp"
+#include "engine/run/profile/cost.hpp"
 
 #include <omp.h>
 
@@ -10,7 +10,7 @@
 #include "tests/engine/physics_scenes.hpp"
 #include "tests/engine/test_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_cost {
 namespace {
 
 /// A tenth of the usual time, however long that takes.
@@ -184,4 +184,4 @@ TEST_CASE("Measuring leaves the number of threads as it was") {
     omp_set_num_threads(before);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_cost

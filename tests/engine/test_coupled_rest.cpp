@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/collision_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_coupled_rest {
 namespace {
 
 /// Water 0.1 m deep against a clamped wall on its right; mirrored floor and back.
@@ -92,4 +92,4 @@ TEST_CASE("A light solid in heavy water stays bounded") {
     CHECK(highest < 1.05 * start);  // the force is extrapolated with the last step's acceleration
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_coupled_rest

@@ -1,9 +1,9 @@
 // Motion that the scene prescribes: of everything by an acceleration, of walls by formula or table.
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/wave_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_driven_motion {
 namespace {
 
 /// Water against a piston of fixed ghosts on its left; free on its right, periodic across.
@@ -127,4 +127,4 @@ TEST_CASE("Motions that cannot be are refused with file, line and key") {
     CHECK(error("{ displacement = [\"0\", \"0\"], table = [] }").find("expected one of the two") != std::string::npos);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_driven_motion

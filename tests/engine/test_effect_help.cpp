@@ -1,11 +1,11 @@
 // What `sluice help effects` prints: every effect, and of each all that the table has.
-#include "engine/effects/effect_help.hpp"
+#include "engine/scene/rules/effect_help.hpp"
 
-#include "engine/effects/effect_fields.hpp"
+#include "engine/scene/rules/effect_fields.hpp"
 #include "kernels/columns/columns.hpp"
 #include "tests/catch.hpp"
 
-namespace sluice {
+namespace sluice::test_effect_help {
 namespace {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
@@ -63,4 +63,4 @@ TEST_CASE("Each column of an effect takes as many bytes as its arrays do") {
     }
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_effect_help

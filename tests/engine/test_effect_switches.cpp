@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/effects/effects.hpp"
 #include "engine/run/summary.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/effect_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_effect_switches {
 namespace {
 
 using Verdict = Decision::Verdict;
@@ -153,4 +153,4 @@ TEST_CASE("The summary names every effect with its choice and the reason") {
     CHECK(effects["fluid_pressure"]["why"] == "fluid bodies: water");
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_effect_switches

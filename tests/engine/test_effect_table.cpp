@@ -1,5 +1,5 @@
 // The table of effects and their rules: every row can be on and off, and its columns are those that there are.
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 
 #include <set>
 #include <sstream>
@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/effect_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_effect_table {
 namespace {
 
 /// Every column that a set may have, as "set.column".
@@ -144,4 +144,4 @@ shape = { box = { min = [0.01, 0.0, 0.0], max = [0.02, 0.01, 0.01] } }
     REQUIRE(std::isfinite(simulation.energy().total()));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_effect_table

@@ -1,11 +1,11 @@
 // Which effects a scene calls for, what is allocated for them, and the time step.
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 
 #include "engine/particles/id_index.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_effects {
 namespace {
 
 const std::string water = water_box("0.0, 0.0", "0.02, 0.02"), block = rubber_box("0.03, 0.0", "0.05, 0.02");
@@ -148,4 +148,4 @@ TEST_CASE("An effect switched off is the same, to the bit, as one whose constant
     REQUIRE(motion_of(text, switched) != motion_of(text, with));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_effects

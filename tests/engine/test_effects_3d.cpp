@@ -3,12 +3,12 @@
 
 #include <numbers>
 
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_effects_3d {
 namespace {
 
 constexpr double spacing = 0.005, side = 0.04;  // [m]
@@ -260,4 +260,4 @@ TEST_CASE("In 3D, clamped solids as moving boundary and fixed walls hold the sam
     for (std::size_t i = 0; i < s.fluid().owned; ++i) CHECK(s.fluid().position[i][1] > 0);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_effects_3d

@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_few_particles {
 
 TEST_CASE("Particles that fly apart move on in straight lines and stay finite") {
     const char* filter = GENERATE("0.92", "1.0");
@@ -40,4 +40,4 @@ shape = { box = { min = [0.0, 0.0], max = [0.002, 0.002] } }
             Approx(0.001 - 5 * t * t).epsilon(1e-3));  // first order in the first step
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_few_particles

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/wave_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_fluid_choices {
 namespace {
 
 /// Vortices in a periodic box, as many to the left as to the right.
@@ -106,4 +106,4 @@ TEST_CASE("A still tank has the same pressure with every smoothing function") {
     CHECK(std::sqrt(2 * kinetic_energy_per_mass(s)) < 0.03);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_fluid_choices

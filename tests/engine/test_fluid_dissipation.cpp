@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/wave_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_fluid_dissipation {
 namespace {
 
 constexpr double spacing = 0.0025, h = 1.5 * spacing, width = 16 * spacing;
@@ -123,4 +123,4 @@ TEST_CASE("The velocity filter takes the checkerboard out of velocities and leav
     CHECK(remaining("1.0", false) > 0.999);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_fluid_dissipation

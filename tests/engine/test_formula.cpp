@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 
-using namespace sluice;
+namespace sluice::test_formula {
 using namespace scene_text;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -42,3 +42,5 @@ TEST_CASE("constants have names of their own", "[scene][formula]") {
                StartsWith("4: constants.k-L: found a name that is not made of"));
     CHECK(gate_error("kL = 1.875", "kL = \"a\"") == "4: constants.kL: found \"a\", expected a number");
 }
+
+}  // namespace sluice::test_formula

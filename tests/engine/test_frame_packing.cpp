@@ -1,12 +1,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/view/frame_packing.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/view_runs.hpp"
 
-namespace sluice {
+namespace sluice::test_frame_packing {
 namespace {
 
 /// Unpacked as the page does it: by what the head says alone.
@@ -112,4 +112,4 @@ TEST_CASE("Fields are chosen by name, and a slip is answered with the nearest", 
     CHECK_THROWS_AS(chosen_fields(table, 2, {"velocity_z"}), RunReadError);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_frame_packing

@@ -1,7 +1,7 @@
 // Scenes that are out to do harm, or look as if: each is refused with a message, none ends or stops the program.
 #include "engine/geometry/packing.hpp"
 #include "engine/geometry/particle_count.hpp"
-#include "engine/output/frame_table.hpp"
+#include "engine/run/output/frame_table.hpp"
 #include "engine/scene/read/key_parts.hpp"
 #include "engine/scene/table/excerpt.hpp"
 #include "engine/simulation/simulation.hpp"
@@ -10,7 +10,7 @@
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::test_hostile_scenes {
 namespace {
 
 using namespace scene_text;
@@ -192,4 +192,4 @@ TEST_CASE("More mirror walls in one place than ghosts can be told apart by are r
           "their place");
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_hostile_scenes

@@ -3,7 +3,7 @@
 
 #include "tests/catch.hpp"
 
-namespace sluice {
+namespace sluice::test_images {
 namespace {
 
 const GhostPlane<2> floor_plane{{{0.0, 0.0}}, {{0.0, 1.0}}};
@@ -92,4 +92,4 @@ TEST_CASE("An oblique plane reflects along its normal") {
     REQUIRE(image[1] == Approx(-1.0));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_images

@@ -1,12 +1,12 @@
 // Fluid and solid together in 3D.
 #include <cmath>
 
-#include "engine/output/probes.hpp"
+#include "engine/run/output/probes.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 #include "tests/neighbor/scopes.hpp"
 
-namespace sluice {
+namespace sluice::test_interface_3d {
 namespace {
 
 std::string mirror(const std::string& name, const std::string& point, const std::string& normal) {
@@ -212,4 +212,4 @@ TEST_CASE("Probes on a body measure in 3D", "[3d]") {
     CHECK(after[5] < 0);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_interface_3d

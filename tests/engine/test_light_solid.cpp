@@ -9,7 +9,7 @@
 #include "tests/engine/collision_scenes.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-namespace sluice {
+namespace sluice::test_light_solid {
 namespace {
 
 const std::string tank = R"toml(
@@ -208,4 +208,4 @@ end = 0.0029
     CHECK(highest < 1.01 * start);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_light_solid

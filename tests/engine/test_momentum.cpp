@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_momentum {
 namespace {
 
 double total_mass(const Simulation<2>& s) {
@@ -73,4 +73,4 @@ TEST_CASE("Where fluid meets solid at a mirror wall the balance closes with the 
     REQUIRE(simulation.interface_balance().residual < 1e-12);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_momentum

@@ -6,7 +6,7 @@
 #include "tests/engine/physics_scenes.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-namespace sluice {
+namespace sluice::test_multi_rate {
 namespace {
 
 const std::vector<std::string> multi_rate{"method.time_stepping=multi-rate"};
@@ -117,4 +117,4 @@ TEST_CASE("Every instruction set computes the same motion, and each the same bit
     for (const double d : deflection) CHECK(d == Approx(deflection[0]).epsilon(precision == "mixed" ? 1e-4 : 1e-9));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_multi_rate

@@ -4,12 +4,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::test_output_files {
 namespace {
 
 /// While it lives, no file of this process may grow beyond `bytes`: writes then fail part-way, as on a full disk.
@@ -87,4 +87,4 @@ TEST_CASE("A full device is reported as such") {
     REQUIRE_THROWS_WITH(lines.append("0"), "/dev/full: cannot write: No space left on device");
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_output_files

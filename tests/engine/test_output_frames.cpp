@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/output/frames.hpp"
+#include "engine/run/output/frames.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::test_output_frames {
 namespace {
 
 /// A dataset as it is in the file.
@@ -183,4 +183,4 @@ TEST_CASE("Frames are compressed") {
     REQUIRE(std::filesystem::file_size(folder.path() / "a") < 20000 * 56 / 2);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_output_frames

@@ -2,12 +2,12 @@
 #include <random>
 
 #include "engine/geometry/moving_least_squares.hpp"
-#include "engine/output/probes.hpp"
 #include "engine/particles/id_index.hpp"
+#include "engine/run/output/probes.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/test_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_output_probes {
 namespace {
 
 template <int Dim>
@@ -134,4 +134,4 @@ TEST_CASE("A displacement probe follows its body") {
     REQUIRE(value_of(probes, simulation, "tip.x [m]") == Approx(mean).epsilon(0.1));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_output_probes

@@ -6,7 +6,7 @@
 #include "engine/run/summary.hpp"
 #include "tests/catch.hpp"
 
-namespace sluice {
+namespace sluice::test_output_texts {
 
 TEST_CASE("Outputs are due at the step nearest to each multiple of the interval") {
     Schedule schedule(0.01);
@@ -62,4 +62,4 @@ TEST_CASE("Numbers and times are short") {
     REQUIRE(clock_text(3723) == "1:02:03");
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_output_texts

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/wave_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_periodic_box {
 namespace {
 
 constexpr double side = 0.03, spacing = 0.0025;
@@ -121,4 +121,4 @@ shape = { box = { min = [0.0, 0.0], max = [0.03, 0.03] } }
           std::string::npos);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_periodic_box

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/output/probes.hpp"
+#include "engine/run/output/probes.hpp"
 #include "engine/scene/probe_columns.hpp"
 #include "engine/scene/read/number_table.hpp"
 #include "engine/simulation/simulation.hpp"
@@ -11,7 +11,7 @@
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-using namespace sluice;
+namespace sluice::test_references {
 using namespace scene_text;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -142,3 +142,5 @@ TEST_CASE("probes without a reference get one whose truth is the finest run", "[
     CHECK(names == std::vector<std::string>{"tip", "free_end.y", "level.level"});
     CHECK_FALSE(all[1].is_stated());
 }
+
+}  // namespace sluice::test_references

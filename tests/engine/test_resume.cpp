@@ -2,17 +2,17 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/files/atomic_file.hpp"
 #include "engine/files/folder_lock.hpp"
+#include "engine/run/checkpoint/checkpoint_store.hpp"
 #include "engine/run/resume.hpp"
 #include "engine/run/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::test_resume {
 namespace {
 
 /// probes.csv, the frames and their list, by name.
@@ -119,4 +119,4 @@ TEST_CASE("The folder of a run tells whether it is finished") {
     REQUIRE(finished_at(folder.path()) == 0.5);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_resume

@@ -7,7 +7,7 @@
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/engine/test_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_run {
 namespace {
 
 nlohmann::json summary_of(const std::filesystem::path& folder) {
@@ -108,4 +108,4 @@ TEST_CASE("A run does not overwrite the scene that it was given") {
     REQUIRE(text_of(folder.path() / "scene.toml") == text_of(test_scene("small_gate.toml")));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_run

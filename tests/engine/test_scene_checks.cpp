@@ -9,7 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 
-using namespace sluice;
+namespace sluice::test_scene_checks {
 using namespace scene_text;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -243,3 +243,5 @@ TEST_CASE("A spacing far beyond a body's size is refused") {
                       Contains("found a spacing of 0.3 m, more than twice the 0.1 m of bodies.water along x"));
     CHECK_THROWS_WITH(check(tank, {"bodies.water.spacing=1e308"}), Contains("expected 0.1 m or less"));
 }
+
+}  // namespace sluice::test_scene_checks

@@ -5,13 +5,13 @@
 
 #include <set>
 
-#include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/effects/effect_table.hpp"
 #include "engine/scene/help/scene_help.hpp"
 #include "engine/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 
-using namespace sluice;
+namespace sluice::test_scene_keys {
 
 namespace {
 
@@ -214,3 +214,5 @@ TEST_CASE("help on scenes has every key, by path and by name", "[keys]") {
     CHECK(scene_key_page(*resolve_scene_key("method.courant")).find("0.75; 0.9 with preset = \"paper\"") !=
           std::string::npos);
 }
+
+}  // namespace sluice::test_scene_keys

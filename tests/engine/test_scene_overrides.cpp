@@ -3,7 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 
-using namespace sluice;
+namespace sluice::test_scene_overrides {
 using namespace scene_text;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -51,3 +51,5 @@ TEST_CASE("mistakes on the command line say so", "[scene][overrides]") {
     CHECK(set_error("bodies.gate.shape={box={min=[0,0],max=[0,1]}}") ==
           "--set bodies.gate.shape.box.max: found x = 0, expected more than min's 0");
 }
+
+}  // namespace sluice::test_scene_overrides

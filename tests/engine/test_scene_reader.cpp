@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 
-using namespace sluice;
+namespace sluice::test_scene_reader {
 using namespace scene_text;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -349,3 +349,5 @@ TEST_CASE("edit distance", "[scene]") {
     CHECK(nearest("min", {"max"}).empty());
     CHECK(nearest("density", {"shape", "kind"}).empty());
 }
+
+}  // namespace sluice::test_scene_reader

@@ -16,7 +16,7 @@ except ImportError:
     sys.exit(77)
 
 SCENES = ("validation/*/*.toml", "tests/hard/scenes/*.toml", "tests/engine/scenes/**/*.toml",
-          "tests/engine/wrong_edits/scene.toml", "engine/templates/*.toml")
+          "tests/engine/wrong_edits/scene.toml", "engine/scene/templates/*.toml")
 # A scene for each type of value that none of the slips breaks, on top of a right one: where, and what is put there.
 WRONG_VALUES = [
     ("title", 3),

@@ -1,11 +1,11 @@
 // Several materials of a medium in one scene: fluids side by side, solids joined, apart, and of different models.
 #include <cmath>
 
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_several_materials {
 namespace {
 
 const std::string more_materials = R"toml(
@@ -214,4 +214,4 @@ TEST_CASE("Fluids that pairs are not defined for are refused", "[materials]") {
                       Catch::Contains("density_diffusion") && Catch::Contains("fourtakas"));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_several_materials

@@ -8,7 +8,7 @@
 #include "engine/geometry/simple_polygon.hpp"
 #include "tests/catch.hpp"
 
-using namespace sluice;
+namespace sluice::test_shapes {
 
 namespace {
 
@@ -240,3 +240,5 @@ TEST_CASE("sites are counted before they are made", "[packing]") {
     CHECK(count_sites(*make_box({0, 0, 0}, {1, 1, 1}), 0.1, 2) == 100);
     CHECK(count_sites(*make_box({0, 0, 0}, {1, 1, 1}), 1e-9, 3) == Approx(1e27));
 }
+
+}  // namespace sluice::test_shapes

@@ -2,11 +2,11 @@
 // is, and mirror walls, along which it slips.
 #include <fmt/format.h>
 
-#include "engine/effects/effects.hpp"
+#include "engine/scene/rules/effects.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_shear_flow_3d {
 namespace {
 
 constexpr double gap = 0.02, spacing = 0.0025, viscosity = 0.02;  // [m, m, m²/s]
@@ -110,4 +110,4 @@ TEST_CASE("Between mirror walls a viscous fluid slips in 3D", "[3d]") {
     }
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_shear_flow_3d

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_solid_motion {
 namespace {
 
 std::string block(const std::string& velocity) {
@@ -163,4 +163,4 @@ velocity = ["0", "0.2*cos(2*pi*x/0.06)"]
     REQUIRE(fine.bent < coarse.bent);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_solid_motion

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/parts/steady_load.hpp"
 #include "engine/simulation/simulation.hpp"
+#include "engine/step/parts/steady_load.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_steady_load {
 namespace {
 
 constexpr double length = 0.1, thickness = 0.01, depth = 0.02, youngs = 1.7e10, density = 2700;
@@ -82,4 +82,4 @@ TEST_CASE("A plate that is quicker than the water's steps sags as far as it shou
     CHECK(std::abs(without / with - 1) > 0.3);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_steady_load

@@ -3,13 +3,13 @@
 #include <set>
 #include <thread>
 
-#include "engine/profile/cost.hpp"
-#include "engine/profile/profile.hpp"
-#include "engine/profile/trace_recorder.hpp"
+#include "engine/run/profile/cost.hpp"
+#include "engine/run/profile/profile.hpp"
+#include "engine/run/profile/trace_recorder.hpp"
 #include "neighbor/parallel.hpp"
 #include "tests/catch.hpp"
 
-using namespace sluice;
+namespace sluice::test_step_profile {
 
 namespace {
 
@@ -118,3 +118,5 @@ TEST_CASE("where effects run is named as steps name it") {
         }
     }
 }
+
+}  // namespace sluice::test_step_profile

@@ -12,7 +12,7 @@
 #include "tests/engine/scene_text.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-using namespace sluice;
+namespace sluice::test_study_errors {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -186,3 +186,5 @@ TEST_CASE("Without a stated truth a study measures against the limit of its fine
     // A displacement that is 0 throughout has no size that errors could refer to.
     CHECK_FALSE(study.points[1].error[0]);
 }
+
+}  // namespace sluice::test_study_errors

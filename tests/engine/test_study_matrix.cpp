@@ -15,7 +15,7 @@
 #include "tests/engine/study_examples.hpp"
 #include "tests/engine/temporary_folder.hpp"
 
-using namespace sluice;
+namespace sluice::test_study_matrix {
 using namespace scene_text;
 using Catch::Matchers::Contains;
 using Strings = std::vector<std::string>;
@@ -225,3 +225,5 @@ TEST_CASE("Numbers of a study are short", "[study]") {
     CHECK(length_text(3e-5) == "30 µm");
     CHECK(seconds_text(12345) == "12345");
 }
+
+}  // namespace sluice::test_study_matrix

@@ -9,7 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/study_examples.hpp"
 
-using namespace sluice;
+namespace sluice::test_study_pictures {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -125,3 +125,5 @@ TEST_CASE("Logarithmic axes have labels at round numbers", "[study]") {
     CHECK(LogAxis(1.1, 1.2, 0, 1).labelled().size() >= 2);
     CHECK(LogAxis(0.001, 900, 0, 1).labelled().size() == 6);
 }
+
+}  // namespace sluice::test_study_pictures

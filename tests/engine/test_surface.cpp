@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_surface {
 namespace {
 
 /// A body of this shape beside a little water, its elements up to date.
@@ -105,4 +105,4 @@ TEST_CASE("Elements turn and move with the body") {
     }
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_surface

@@ -1,5 +1,5 @@
 // The interface around a body in 3D: faces of its lattice, corners that follow its particles.
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 #include <numeric>
 #include <numbers>
@@ -11,7 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/scopes.hpp"
 
-namespace sluice {
+namespace sluice::test_surface_3d {
 namespace {
 
 /// A packed body with its surface.
@@ -257,4 +257,4 @@ TEST_CASE("The surface is the same to the bit on any number of threads", "[surfa
     }
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_surface_3d

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/scene_text.hpp"
 
-using namespace sluice;
+namespace sluice::test_syntax_error {
 using scene_text::load_error;
 
 TEST_CASE("brackets that are not closed are found where they open", "[syntax]") {
@@ -45,3 +45,5 @@ TEST_CASE("where nothing better is known the parser is quoted", "[syntax]") {
     CHECK(explain_syntax_error("", {1, 1}, "nothing") == "1:1: nothing");
     CHECK(explain_syntax_error("a = 1", {9, 99}, "far away") == "9:99: far away");
 }
+
+}  // namespace sluice::test_syntax_error

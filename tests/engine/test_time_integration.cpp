@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/wave_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_time_integration {
 namespace {
 
 /// Positions of a strong standing wave after some time, by id, for a step of end/steps.
@@ -118,4 +118,4 @@ TEST_CASE("A box that is shaken in adaptive steps keeps momentum and acceleratio
     CHECK(s.momentum()[0] == Approx(mass * 100 * (s.time() - behind)).epsilon(1e-12));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_time_integration

@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_total_lagrangian {
 namespace {
 
 const std::vector<std::string> models{"st-venant-kirchhoff", "neo-hookean"};
@@ -181,4 +181,4 @@ TEST_CASE("Bodies too far apart for the search are refused with a message") {
                       Catch::Contains("spread over more cells"));
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_total_lagrangian

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/view/color_map.hpp"
 #include "engine/view/particle_raster.hpp"
 #include "engine/view/render.hpp"
@@ -10,7 +10,7 @@
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/engine/view_runs.hpp"
 
-namespace sluice {
+namespace sluice::test_view {
 namespace {
 
 std::string element_of(const std::string& page, const std::string& id) {
@@ -156,4 +156,4 @@ TEST_CASE("A run becomes pictures of the size asked for", "[view]") {
     CHECK_THROWS_AS(render_run(options), RunReadError);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_view

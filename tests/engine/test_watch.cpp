@@ -2,17 +2,17 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/checkpoint/checkpoint_store.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
+#include "engine/run/checkpoint/checkpoint_store.hpp"
 #include "engine/run/run.hpp"
-#include "engine/watch/inside_walls.hpp"
-#include "engine/watch/watch.hpp"
+#include "engine/run/watch/inside_walls.hpp"
+#include "engine/run/watch/watch.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/engine/test_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_watch {
 namespace {
 
 nlohmann::json summary_of(const std::filesystem::path& folder) {
@@ -195,4 +195,4 @@ TEST_CASE("A run that may go on goes on, as long as numbers are finite") {
     CHECK(summary_of(folder.path())["watch"]["policy"] == "warn");
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_watch

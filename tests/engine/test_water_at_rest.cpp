@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/engine/physics_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_water_at_rest {
 namespace {
 
 const std::string fixed_tub = R"toml(
@@ -86,4 +86,4 @@ clamp = { box = { min = [0.1, 0.0], max = [0.11, 0.14] } }
     }
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_water_at_rest

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "engine/files/atomic_file.hpp"
-#include "engine/output/frames.hpp"
+#include "engine/run/output/frames.hpp"
 
 namespace sluice {
 

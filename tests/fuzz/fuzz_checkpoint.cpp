@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/checkpoint/checkpoint_file.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
+#include "engine/run/checkpoint/checkpoint_file.hpp"
+#include "engine/run/watch/watch.hpp"
 #include "engine/simulation/simulation.hpp"
-#include "engine/watch/watch.hpp"
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/fuzz/demand.hpp"
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/geometry/packing.hpp"
-#include "engine/output/probes.hpp"
+#include "engine/run/output/probes.hpp"
+#include "engine/run/watch/watch.hpp"
 #include "engine/simulation/simulation.hpp"
-#include "engine/watch/watch.hpp"
 #include "tests/engine/lattice_sites.hpp"
 #include "tests/fuzz/demand.hpp"
 

@@ -7,7 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
-using namespace sluice;
+namespace sluice::test_accuracy {
 
 namespace {
 
@@ -216,3 +216,5 @@ TEMPLATE_TEST_CASE_SIG("at a free surface the consistent gradient of a quadratic
         last = worst;
     }
 }
+
+}  // namespace sluice::test_accuracy

@@ -5,7 +5,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_moving_boundary.hpp"
 
-using namespace sluice;
+namespace sluice::test_boundary_passes {
 
 namespace {
 
@@ -168,3 +168,5 @@ TEMPLATE_TEST_CASE_SIG("the passes of a moving boundary have the same bits for a
         }
     });
 }
+
+}  // namespace sluice::test_boundary_passes

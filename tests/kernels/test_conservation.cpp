@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
-using namespace sluice;
+namespace sluice::test_conservation {
 
 namespace {
 
@@ -170,3 +170,5 @@ TEMPLATE_TEST_CASE_SIG("the filter never widens the range of velocities", "[cons
         }
     });
 }
+
+}  // namespace sluice::test_conservation

@@ -5,7 +5,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_contact.hpp"
 
-using namespace sluice;
+namespace sluice::test_contact_passes {
 
 namespace {
 
@@ -214,3 +214,5 @@ TEMPLATE_TEST_CASE_SIG("flat bodies in line begin to press when they touch", "[c
     CHECK(force_at(1e-3) == Approx(2 * k * flat.slope * flat.slope * 1e-3).epsilon(0.01));
     CHECK(force_at(0.5) > force_at(0.25));
 }
+
+}  // namespace sluice::test_contact_passes

@@ -6,7 +6,7 @@
 #include "tests/kernels/twins.hpp"
 #include "tests/kernels/variants.hpp"
 
-using namespace sluice;
+namespace sluice::test_crowding {
 
 namespace {
 
@@ -37,3 +37,5 @@ TEMPLATE_TEST_CASE_SIG("crowding is that of all pairs", "[crowding]", ((int Dim)
         }
     }
 }
+
+}  // namespace sluice::test_crowding

@@ -8,7 +8,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_fluid.hpp"
 
-using namespace sluice;
+namespace sluice::test_density_diffusion {
 
 namespace {
 
@@ -315,3 +315,5 @@ TEMPLATE_TEST_CASE_SIG("density diffusion damps what differs from one particle t
         CHECK(growing == 0);
     }
 }
+
+}  // namespace sluice::test_density_diffusion

@@ -1,11 +1,11 @@
 // Artificial viscosity takes energy out and never puts it in; artificial stress pushes apart what is in tension.
+#include "kernels/materials/tensile_correction.hpp"
 #include "kernels/passes/fluid_passes.hpp"
 #include "kernels/passes/solid_passes.hpp"
-#include "kernels/materials/tensile_correction.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
-using namespace sluice;
+namespace sluice::test_dissipation {
 
 namespace {
 
@@ -150,3 +150,5 @@ TEMPLATE_TEST_CASE_SIG("artificial stress pushes apart what is in tension and sp
         CHECK(force(0.3) == Approx(force(0) * (sigma > 0 ? 0.7 : 1)).epsilon(1e-13));  // some ten roundings
     }
 }
+
+}  // namespace sluice::test_dissipation

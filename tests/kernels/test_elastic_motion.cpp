@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/kernels/elastic_body.hpp"
 
-using namespace sluice;
+namespace sluice::test_elastic_motion {
 
 namespace {
 
@@ -208,3 +208,5 @@ TEMPLATE_TEST_CASE_SIG("a free body makes a full turn without strain", "[elastic
         CHECK(moved < 5e-4);         // moment of inertia grows by twice the strain, which delays the turn by as much
     }
 }
+
+}  // namespace sluice::test_elastic_motion

@@ -2,7 +2,7 @@
 #include "kernels/materials/equation_of_state.hpp"
 #include "tests/catch.hpp"
 
-using namespace sluice;
+namespace sluice::test_equation_of_state {
 
 namespace {
 
@@ -104,3 +104,5 @@ TEST_CASE("near rest the energy is that of a spring, without cancellation", "[eq
             CHECK(eos.energy(rho) == Approx(0.5 * c2 * x * x).epsilon(2 * x + 1e-15 / x));
         }
 }
+
+}  // namespace sluice::test_equation_of_state

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
-using namespace sluice;
+namespace sluice::test_fixed_ghosts {
 
 namespace {
 
@@ -156,3 +156,5 @@ TEMPLATE_TEST_CASE_SIG("density rises by approach to a wall of ghosts, not by sl
     }
     CHECK(checked > 0);
 }
+
+}  // namespace sluice::test_fixed_ghosts

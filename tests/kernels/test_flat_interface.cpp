@@ -8,7 +8,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_boundary.hpp"
 
-using namespace sluice;
+namespace sluice::test_flat_interface {
 
 namespace {
 
@@ -142,3 +142,5 @@ TEMPLATE_TEST_CASE_SIG("a particle at the wall is driven from high pressure to l
                   1e-10 * std::abs(pushed[1]));  // symmetric: rounding of thousandfold larger terms
         }
 }
+
+}  // namespace sluice::test_flat_interface

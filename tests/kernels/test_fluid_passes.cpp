@@ -1,12 +1,12 @@
 // The fluid's pair passes against their plain twins.
-#include "kernels/passes/fluid_passes.hpp"
 #include "kernels/pairs/pair_sum.hpp"
+#include "kernels/passes/fluid_passes.hpp"
 
 #include "neighbor/parallel.hpp"
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
-using namespace sluice;
+namespace sluice::test_fluid_passes {
 
 namespace {
 
@@ -257,3 +257,5 @@ TEMPLATE_TEST_CASE_SIG("fluid passes have the same bits for any number of thread
         }
     });
 }
+
+}  // namespace sluice::test_fluid_passes

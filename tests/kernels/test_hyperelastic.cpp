@@ -7,7 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-using namespace sluice;
+namespace sluice::test_hyperelastic {
 
 namespace {
 
@@ -248,3 +248,5 @@ TEMPLATE_TEST_CASE_SIG("a particle turned inside out has finite stress and no Ca
         CHECK_FALSE(cauchy_stress<Dim>(material, f).allFinite());
     }
 }
+
+}  // namespace sluice::test_hyperelastic

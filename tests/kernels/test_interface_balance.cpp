@@ -4,7 +4,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_boundary.hpp"
 
-using namespace sluice;
+namespace sluice::test_interface_balance {
 
 namespace {
 
@@ -150,3 +150,5 @@ TEMPLATE_TEST_CASE_SIG("approach raises the density, parting lowers it, slip doe
     CHECK(near > 0);
     CHECK((slip == ScalarField(fluid.size(), 0.0)));
 }
+
+}  // namespace sluice::test_interface_balance

@@ -5,7 +5,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_boundary.hpp"
 
-using namespace sluice;
+namespace sluice::test_interface_passes {
 
 namespace {
 
@@ -113,3 +113,5 @@ TEMPLATE_TEST_CASE_SIG("interface passes have the same bits for any number of th
         CHECK(results[t].on_fluid == results[0].on_fluid);
     }
 }
+
+}  // namespace sluice::test_interface_passes

@@ -3,7 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
-using namespace sluice;
+namespace sluice::test_moving_boundary {
 
 namespace {
 
@@ -121,3 +121,5 @@ TEMPLATE_TEST_CASE_SIG("no density changes where fluid and boundary move as one"
     for (std::size_t f = 0; f < s.fluid.size(); ++f)
         CHECK((s.fluid.position[f][1] < spacing ? rate[f] > 0 : rate[f] >= 0));
 }
+
+}  // namespace sluice::test_moving_boundary

@@ -4,7 +4,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_moving_boundary.hpp"
 
-using namespace sluice;
+namespace sluice::test_moving_ghosts {
 
 namespace {
 
@@ -94,3 +94,5 @@ TEMPLATE_TEST_CASE_SIG("moving ghosts have the same bits for any number of threa
         CHECK((pressures[2] == pressures[0]));
     });
 }
+
+}  // namespace sluice::test_moving_ghosts

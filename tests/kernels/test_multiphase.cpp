@@ -11,7 +11,7 @@
 #include "tests/kernels/twins_fluid.hpp"
 #include "tests/kernels/variants.hpp"
 
-namespace sluice {
+namespace sluice::test_multiphase {
 namespace {
 
 /// Two fluids, by chance, and what differs between them.
@@ -193,4 +193,4 @@ TEMPLATE_TEST_CASE_SIG("viscosity of elastic particles of equal impedance is tha
     CHECK(apart < 1e-13 * size);
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_multiphase

@@ -5,7 +5,7 @@
 #include "kernels/passes/fluid_loops.hpp"
 #include "tests/catch.hpp"
 
-using namespace sluice;
+namespace sluice::test_operation_count {
 
 TEST_CASE("operations are those of the formula") {
     // x_ij: 2; r² and what keeps it off zero: 2 · 2; q² = r²/h²: 1; 1 − q²/c²: 2; the larger: 1; the sum: 1.
@@ -29,3 +29,5 @@ TEST_CASE("an operation is counted anew each time it is asked for") {
     CHECK(once > 0);
     CHECK(counted::operations_per_lane<DensityRate<3>>() == once);
 }
+
+}  // namespace sluice::test_operation_count

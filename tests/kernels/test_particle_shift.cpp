@@ -5,7 +5,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_fluid.hpp"
 
-using namespace sluice;
+namespace sluice::test_particle_shift {
 
 namespace {
 
@@ -330,3 +330,5 @@ TEMPLATE_TEST_CASE_SIG("shifting evens out the particles under a free surface al
         CHECK(std::abs(rise) < 0.02 * d);  // without N 0.02 to 0.3 d (kernels/terms/particle_shift.hpp)
     }
 }
+
+}  // namespace sluice::test_particle_shift

@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/kernels/twins.hpp"
 
-using namespace sluice;
+namespace sluice::test_smoothing {
 
 namespace {
 
@@ -149,3 +149,5 @@ TEMPLATE_TEST_CASE_SIG("a lattice sums to one", "[smoothing]", ((int Dim), Dim),
             CHECK(worst < bound * std::pow(1.2 / h_over_d, 2));
         }
 }
+
+}  // namespace sluice::test_smoothing

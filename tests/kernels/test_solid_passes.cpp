@@ -7,7 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/kernels/compare.hpp"
 
-using namespace sluice;
+namespace sluice::test_solid_passes {
 
 namespace {
 
@@ -192,3 +192,5 @@ TEMPLATE_TEST_CASE_SIG("solid passes have the same bits for any number of thread
         }
     });
 }
+
+}  // namespace sluice::test_solid_passes

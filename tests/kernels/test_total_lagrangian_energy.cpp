@@ -6,7 +6,7 @@
 #include "tests/kernels/elastic_body.hpp"
 #include "tests/kernels/twins_total_lagrangian.hpp"
 
-using namespace sluice;
+namespace sluice::test_total_lagrangian_energy {
 
 namespace {
 
@@ -300,3 +300,5 @@ TEMPLATE_TEST_CASE_SIG("reference viscosity takes energy from approaching pairs 
     set_velocities([](const Vec<Dim>& x) { return -x; });
     CHECK(power() < 0);
 }
+
+}  // namespace sluice::test_total_lagrangian_energy

@@ -6,7 +6,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_fluid.hpp"
 
-using namespace sluice;
+namespace sluice::test_viscosity {
 
 namespace {
 
@@ -174,3 +174,5 @@ TEMPLATE_TEST_CASE_SIG("in a shear flow artificial viscosity is half of what it 
     // pressure does: it is not looked at.
     CHECK(worst < 0.06 * 4 * std::numbers::pi * std::numbers::pi * effective);
 }
+
+}  // namespace sluice::test_viscosity

@@ -5,7 +5,7 @@
 #include "tests/kernels/compare.hpp"
 #include "tests/kernels/twins_wall.hpp"
 
-using namespace sluice;
+namespace sluice::test_wall_passes {
 
 namespace {
 
@@ -130,3 +130,5 @@ TEMPLATE_TEST_CASE_SIG("wall passes have the same bits for any number of threads
         }
     });
 }
+
+}  // namespace sluice::test_wall_passes

@@ -2,8 +2,9 @@
 // a whole body from nothing but its positions.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
+#include "kernels/principal.hpp"
 #include "tests/kernels/twins.hpp"
 
 namespace sluice::twin {
@@ -73,7 +74,7 @@ class ElasticEnergy {
                 m += near.weight * near.x * near.x.transpose();
                 near_[a].push_back(near);
             }
-            const bool defined = Eigen::SelfAdjointEigenSolver<Matrix>(m).eigenvalues().minCoeff() >= 0.01;
+            const bool defined = principal_values<Dim>(m).minCoeff() >= 0.01;
             inverse_.push_back(defined ? Matrix(m.inverse()) : Matrix(Matrix::Zero()));
         }
     }

@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-using namespace sluice;
+namespace sluice::test_cell_grid {
 
 namespace {
 
@@ -263,3 +263,5 @@ TEMPLATE_TEST_CASE_SIG("a grid of nothing, also after one of something", "[cell_
     CHECK(grid.max_reach() == 0);
     CHECK(grid.find(std::array<std::int64_t, Dim>{}) == nullptr);
 }
+
+}  // namespace sluice::test_cell_grid

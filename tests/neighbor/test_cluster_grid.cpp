@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-using namespace sluice;
+namespace sluice::test_cluster_grid {
 
 namespace {
 
@@ -326,3 +326,5 @@ TEMPLATE_TEST_CASE_SIG("a cluster with a position that is not a number is measur
             REQUIRE_FALSE(std::isnan(grid.block_extent(b).box.hi[k]));
         }
 }
+
+}  // namespace sluice::test_cluster_grid

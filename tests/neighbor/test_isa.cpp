@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/scopes.hpp"
 
-using namespace sluice;
+namespace sluice::test_isa {
 
 TEST_CASE("the best instruction set is in use from the start, and the baseline is always there", "[isa]") {
     const auto& isas = available_isas();
@@ -39,3 +39,5 @@ TEST_CASE("an instruction set that there is not is refused, with those that ther
         CHECK(active_isa() == before);
     }
 }
+
+}  // namespace sluice::test_isa

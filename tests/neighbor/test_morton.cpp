@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-using namespace sluice;
+namespace sluice::test_morton {
 
 namespace {
 
@@ -58,3 +58,5 @@ TEST_CASE("a Morton key is known at compile time", "[morton]") {
     STATIC_REQUIRE(morton_encode<3>({0, 0, 1}) == 4);
     STATIC_REQUIRE(morton_encode<3>({2, 0, 0}) == 8);
 }
+
+}  // namespace sluice::test_morton

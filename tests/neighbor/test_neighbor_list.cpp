@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/list_rules.hpp"
 
-using namespace sluice;
+namespace sluice::test_neighbor_list {
 
 TEMPLATE_TEST_CASE_SIG("lists are the same for any number of threads and any instruction set", "[list]",
                        ((int Dim), Dim), 2, 3) {
@@ -216,3 +216,5 @@ TEMPLATE_TEST_CASE_SIG("the candidates that are marked are those of the rows ask
         CHECK((marked == expected));
     }
 }
+
+}  // namespace sluice::test_neighbor_list

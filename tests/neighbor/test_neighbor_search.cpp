@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/list_rules.hpp"
 
-using namespace sluice;
+namespace sluice::test_neighbor_search {
 
 namespace {
 
@@ -220,3 +220,5 @@ TEST_CASE("a list is cleared by a search that finds nothing", "[search]") {
     searcher.build(grids.owned, {}, c.cut, list);
     check_empty();
 }
+
+}  // namespace sluice::test_neighbor_search

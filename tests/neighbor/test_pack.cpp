@@ -8,7 +8,7 @@
 #include "tests/neighbor/clouds.hpp"
 #include "tests/neighbor/pack_operations.hpp"
 
-using namespace sluice;
+namespace sluice::test_pack {
 
 namespace {
 
@@ -165,3 +165,5 @@ TEMPLATE_TEST_CASE("numbers are repeated or spread over a register", "[pack]", f
         CHECK(wrong == 0);
     }
 }
+
+}  // namespace sluice::test_pack

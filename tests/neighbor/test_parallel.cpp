@@ -7,7 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-using namespace sluice;
+namespace sluice::test_parallel {
 
 namespace {
 
@@ -80,3 +80,5 @@ TEST_CASE("nonnegative_max returns NaN if there is one, wherever it stands", "[p
             }
     }
 }
+
+}  // namespace sluice::test_parallel

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/neighbor/clouds.hpp"
 
-using namespace sluice;
+namespace sluice::test_radix_sort {
 
 namespace {
 
@@ -79,3 +79,5 @@ TEST_CASE("equal keys keep their order", "[radix_sort]") {
         CHECK(c.values == before.values);
     }
 }
+
+}  // namespace sluice::test_radix_sort

@@ -12,15 +12,15 @@
 #include <regex>
 #include <utility>
 
-#include "engine/checkpoint/checkpoint_file.hpp"
-#include "engine/errors.hpp"
+#include "engine/base/errors.hpp"
 #include "engine/geometry/packing.hpp"
-#include "engine/output/probes.hpp"
 #include "engine/particles/particle_set.hpp"
+#include "engine/run/checkpoint/checkpoint_file.hpp"
+#include "engine/run/output/probes.hpp"
 #include "engine/run/run.hpp"
+#include "engine/run/watch/watch.hpp"
 #include "engine/scene/check/checks.hpp"
 #include "engine/simulation/simulation.hpp"
-#include "engine/watch/watch.hpp"
 #include "tests/engine/lattice_sites.hpp"
 #include "tests/engine/temporary_folder.hpp"
 #include "tests/random_scenes/generator.hpp"

@@ -2,16 +2,16 @@
 // the thread sanitizer looks on.
 #include <omp.h>
 
-#include "engine/checkpoint/checkpoint_file.hpp"
-#include "engine/output/frame_table.hpp"
-#include "engine/output/probes.hpp"
-#include "engine/profile/step_profile.hpp"
+#include "engine/run/checkpoint/checkpoint_file.hpp"
+#include "engine/run/output/frame_table.hpp"
+#include "engine/run/output/probes.hpp"
+#include "engine/run/profile/step_profile.hpp"
+#include "engine/run/watch/watch.hpp"
 #include "engine/simulation/simulation.hpp"
-#include "engine/watch/watch.hpp"
 #include "tests/catch.hpp"
 #include "tests/engine/checkpoint_scenes.hpp"
 
-namespace sluice {
+namespace sluice::test_races {
 namespace {
 
 /// Above neighbor/parallel.hpp's light_threshold.
@@ -65,4 +65,4 @@ TEST_CASE("Steps on several threads") {
     }
 }
 
-}  // namespace sluice
+}  // namespace sluice::test_races

@@ -1,7 +1,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/effects/effect_table.hpp"
 #include "engine/scene/method_keys.hpp"
 #include "engine/scene/read/reader_parts.hpp"
 

@@ -5,7 +5,7 @@ namespace {
 
 // Numbers.
 constexpr NumberRange any{}, positive{.low = 0, .open_low = true}, not_negative{.low = 0};
-constexpr NumberRange part{.low = 0, .high = 1, .open_low = true};
+constexpr NumberRange fraction{.low = 0, .high = 1, .open_low = true};
 
 constexpr KeyValue number(NumberRange range, std::string_view unit = "") { return {KeyType::number, unit, range}; }
 constexpr KeyValue whole(double low, double high) { return {KeyType::whole, "", {low, high}}; }
@@ -83,7 +83,7 @@ constexpr SceneKey rows[]{
     {"method.expected_speed", number(positive, "m/s"), said("estimated from initial speeds and heights of fall"),
      "the fastest that the fluid is expected to become"},
     {"method.fluid", table, said("the preset's"), "method constants of the fluid"},
-    {"method.fluid.velocity_filter", number(part), preset("1", "0.92"),
+    {"method.fluid.velocity_filter", number(fraction), preset("1", "0.92"),
      "θ: velocities become θ times themselves and 1 - θ times their neighbours' mean in each step; 1 = off", "",
      Effect::velocity_filter},
     {"method.fluid.artificial_viscosity", number(not_negative), preset("0.02", "0"), "α of Monaghan's; 0 = off", "",
@@ -101,7 +101,7 @@ constexpr SceneKey rows[]{
     {"method.fluid.diffusion_coefficient", number(positive), value("0.1"), "δ of the density diffusion", "",
      Effect::density_diffusion},
     {"method.solid", table, said("the preset's"), "method constants of solids"},
-    {"method.solid.velocity_filter", number(part), value("1"), "as the fluid's; 1 = off", "hypoelastic solids",
+    {"method.solid.velocity_filter", number(fraction), value("1"), "as the fluid's; 1 = off", "hypoelastic solids",
      Effect::solid_filter},
     {"method.solid.artificial_viscosity", number(not_negative), preset("0.1", "1"),
      "α of Monaghan's; 0 = off; without it up to 1 if lighter than the fluid", "", Effect::solid_viscosity},

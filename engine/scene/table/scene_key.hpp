@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/effects/effect_table.hpp"
 #include "engine/scene/table/choices.hpp"
 
 namespace sluice {

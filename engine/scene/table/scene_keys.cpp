@@ -4,7 +4,7 @@
 #include <deque>
 #include <string>
 
-#include "engine/effects/names/effect_table.hpp"
+#include "engine/scene/effects/effect_table.hpp"
 #include "engine/scene/table/key_rows.hpp"
 
 namespace sluice {

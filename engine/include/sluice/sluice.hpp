@@ -1,8 +1,0 @@
-// All that other programs may use.
-#pragma once
-
-#include "errors.hpp"      // IWYU pragma: export
-#include "field.hpp"       // IWYU pragma: export
-#include "run.hpp"         // IWYU pragma: export
-#include "scene.hpp"       // IWYU pragma: export
-#include "simulation.hpp"  // IWYU pragma: export

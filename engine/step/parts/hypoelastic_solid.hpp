@@ -1,0 +1,48 @@
+// The solid of the paper, hypoelastic and updated-Lagrangian: its own steps within a step.
+#pragma once
+
+#include "engine/step/parts/solid_part.hpp"
+#include "kernels/passes/solid_passes.hpp"
+
+namespace sluice {
+
+/// A step of its own is that of the staggered explicit Euler scheme of the paper: velocities at n ± 1/2, everything else
+/// at n; rates of density and stress are taken half-way.
+template <int Dim>
+class HypoelasticSolid final : public SolidPart<Dim> {
+  public:
+    explicit HypoelasticSolid(StepContext<Dim>& context);
+
+    void start() override;
+    void limit_step(std::vector<CourantLimit>& limits) const override;
+    void begin_step() override;
+    double move(int substep) override;
+    void end_step() override;
+    void add_energy(EnergyBalance& e) const override;
+    Vec<Dim> momentum() const override;
+    void save(const StateWriter& writer) override;
+    void restore(const StateReader& reader) override;
+
+  private:
+    const PartRange& part() const { return c_.state.hypoelastic; }
+    double dt() const { return c_.plan.dt / c_.plan.substeps; }
+    /// The rows whose forces are asked for.
+    const NeighborList& moving() const { return moving_ ? moving_->list : all_.list; }
+    void forces();
+    void kick();
+    void filter();
+    void drift_halfway();
+    void rates_halfway();
+    double drift_to_end();
+
+    StepContext<Dim>& c_;
+    Pairing& all_;                ///< without the rows of those whose stress never changes
+    Pairing* moving_ = nullptr;  ///< null: all are moving
+    SolidTerms terms_;
+    double last_dt_ = 0;  ///< of its step before: velocities stand half of it behind; at first they stand at 0
+};
+
+extern template class HypoelasticSolid<2>;
+extern template class HypoelasticSolid<3>;
+
+}  // namespace sluice
