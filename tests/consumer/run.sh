@@ -12,7 +12,7 @@ cmake --install "$build" --prefix "$scratch/prefix" >"$scratch/log" || { cat "$s
 "$scratch/prefix/bin/sluice" check "$here/dam.toml" >/dev/null || fail "the installed program does not run"
 
 # Headers are all there is to see: no file of the engine, no other library's.
-grep -rhE '#include' "$scratch/prefix/include" | grep -vE '<[a-z_]+>|"(errors|export|field|run|scene|simulation)\.hpp"' &&
+grep -rhE '#include' "$scratch/prefix/include" | grep -vE '<[a-z_]+>|"(sluice/)?(errors|export|field|run|scene|simulation)\.hpp"' &&
     fail "an installed header includes something that is not installed"
 library=$(ls "$scratch"/prefix/lib*/libsluice.so "$scratch"/prefix/lib/*/libsluice.so 2>/dev/null | head -n 1)
 nm -DC --defined-only "$library" | grep -F ' T ' | grep -vE ' T (sluice::api::|_init|_fini)' &&

@@ -35,7 +35,7 @@ struct Timing {
         const ThreadCount count(profile.threads());
         simulation.step();  // brings the data to the cores that will use them
         const auto start = WallClock::now();
-        do
+        do {
             for (int s = 0; s < bench_cycle; ++s) {
                 const StepProfile kept = profile;
                 const std::uint64_t before = simulation.work().particle_steps;
@@ -51,7 +51,8 @@ struct Timing {
                 else
                     profile = kept;
             }
-        while (seconds_since(start) < seconds);
+            check_state(simulation);  // between steps, where no time is taken
+        } while (seconds_since(start) < seconds);
     }
 
     ThreadBench result(const Effects& effects) const {
@@ -78,7 +79,6 @@ SceneBench bench_scene(const Scene& scene, double seconds) {
         if (threads > 1) all.take_turn(simulation, left / 2, last && all.profile.steps() < fewest_steps);
         if (last) break;
     }
-    check_state(simulation);
     bench.one = one.result(simulation.effects());
     bench.all = threads > 1 ? all.result(simulation.effects()) : bench.one;
     bench.field_bytes = static_cast<double>(simulation.memory_bytes());
