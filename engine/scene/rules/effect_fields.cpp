@@ -30,7 +30,7 @@ std::vector<ColumnBytes> column_bytes_of(const EffectInfo& effect) {
     std::vector<ColumnBytes> columns;
     for (const SetId set : all_sets)
         for (const ColumnInfo& info : column_table)
-            if (effect.needs(set, info.column))
+            if (effect.columns.has(set, info.column))
                 columns.push_back(
                     {name_of(set), info.name,
                      static_cast<std::size_t>(components_of<Dim>(info.rank)) * bytes_of_number(info.rank)});

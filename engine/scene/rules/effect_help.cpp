@@ -57,7 +57,7 @@ std::string effect_list() {
 std::string effect_page(const EffectInfo& effect) {
     std::string text = fmt::format("{}\n", effect.key) + row("effect", effect.name) + row("auto", effect.automatic) +
                        row("formula", effect.formula) + row("source", effect.equation);
-    text += row("memory", phases_text(effect) + (effect.fields.empty() ? "" : " bytes per particle (2D/3D)"));
+    text += row("memory", phases_text(effect) + (effect.columns.none() ? "" : " bytes per particle (2D/3D)"));
     for (const std::string& line : column_lines(effect)) text += row("", line);
     return text;
 }

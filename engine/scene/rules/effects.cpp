@@ -49,7 +49,7 @@ Effects::Effects(const Scene& scene) {
 
 bool Effects::needs(SetId set, Column column) const {
     for (const EffectChoice& choice : choices_)
-        if (choice.on && choice.info.needs(set, column)) return true;
+        if (choice.on && choice.info.columns.has(set, column)) return true;
     return false;
 }
 
