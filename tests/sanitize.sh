@@ -1,6 +1,8 @@
 #!/bin/sh
-# Builds with sanitizers, and runs what is worth their time: address and undefined behaviour, then races.
-# Usage: tests/sanitize.sh [asan|asan-quick|tsan]...   (asan and tsan, seventeen and six minutes of CPU time; asan-quick: six)
+# Builds with assertions or sanitizers, and runs what is worth their time: the program as Debug builds it, with those of the
+# standard library too; address and undefined behaviour; races.
+# Usage: tests/sanitize.sh [debug|asan|asan-quick|tsan]...
+# (asan and tsan, seventeen and six minutes of CPU time; debug and asan-quick: six)
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 "$root/tests/install_packages.sh" clang libclang-rt-dev libomp-dev python3-dev pybind11-dev python3-numpy
