@@ -23,8 +23,7 @@ Vec<Dim> to_vec(const Point& p) {
 
 MaterialConstants constants_of(const Scene& scene, std::size_t number) {
     const Material& m = scene.materials[number];
-    const ElasticLaw law =
-        m.model == SolidModel::neo_hookean ? ElasticLaw::neo_hookean : ElasticLaw::saint_venant_kirchhoff;
+    const ElasticLaw law = elastic_law_of(m.model).value_or(ElasticLaw{});
     return {number,
             {m.density, m.sound_speed, m.pressure_exponent},
             m.shear_modulus,
