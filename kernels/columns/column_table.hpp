@@ -19,8 +19,8 @@ enum class Rank : std::uint8_t { scalar, vector, symmetric, full, id, number, fl
 /// How a ghost has a column from its parent: the same; a place or a direction, reflected or shifted; not at all.
 enum class Mirror : std::uint8_t { same, place, direction, none };
 
-/// Who sees a column: the engine alone; programs in C++ and Python; frames too.
-enum class Access : std::uint8_t { internal, open, frame };
+/// Who sees a column: the engine alone, or programs in C++ and Python too.
+enum class Access : std::uint8_t { internal, open };
 
 struct ColumnInfo {
     Column column;
