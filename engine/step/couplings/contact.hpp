@@ -16,9 +16,9 @@ namespace sluice {
 inline constexpr double contact_stiffness = 1;
 
 /// Total-Lagrangian solids meet each other, unless they are joined (engine/particles/joined_bodies.hpp); any solid meets
-/// walls. What starts closer than touching has its own place as the threshold: no particle feels a force at the start.
-/// A particle that starts behind a mirror plane never feels it. Walls that move push, too; as they take whole steps,
-/// the solid's own steps see them where they were at the last.
+/// walls. A particle that starts closer than touching uses its initial σ, or its distance from a plane, as threshold, so
+/// the initial force is zero. A particle that starts behind a mirror plane never feels it. Moving walls push too; as they
+/// take whole steps, the solid's own steps see them where they were at the end of the last one.
 template <int Dim>
 class SolidContact final : public Coupling<Dim> {
   public:
