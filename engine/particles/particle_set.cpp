@@ -7,7 +7,7 @@
 namespace sluice {
 namespace {
 
-/// A spare column of each type: one column's old memory is the next one's new.
+/// A spare column of each type: the memory that one column leaves is used by the next.
 struct Buffers {
     Array<double> reals;
     Array<std::uint64_t> ids;
