@@ -1,4 +1,4 @@
-// What the neighbours of a clamp see of it: the displacement goes on behind the clamp's surface as its mirror image.
+// How a clamp looks to its neighbours: behind the clamp's surface the displacement continues as its mirror image.
 //
 // A clamp holds the solid at a surface, u = 0 there, and whatever lies behind is rigid. Strain is not: it ends at the
 // surface with a jump. A gradient summed over free and held particles alike sees half of it on either side, and energy,
@@ -42,17 +42,17 @@ class ClampExtension {
     /// one's neighbours in the reference configuration, `support` [m] is how far they reach.
     ClampExtension(const Scene& scene, ParticleSet<Dim>& solid, const NeighborList& list, double support);
 
-    /// Which held particles have no energy: 1 for each of them.
+    /// Marks the held particles that have no energy: 1 for each of them.
     std::span<const std::uint8_t> rigid() const { return rigid_; }
-    /// Which of them follow free ones: 1 for each of them.
+    /// Marks the held particles that follow free ones: 1 for each of them.
     std::span<const std::uint8_t> extended() const { return extended_; }
     bool empty() const { return pair_.empty(); }
 
-    /// elastic_share of each particle, k times that, and L = 0 for rigid ones.
+    /// Sets elastic_share of each particle, multiplies k by it, and sets L = 0 for rigid ones.
     void share_energy(ParticleSet<Dim>& solid) const;
     /// Moves extended particles to where the mirror image of the displacement, and of the velocity, puts them.
     void displace(ParticleSet<Dim>& solid) const;
-    /// Gives their acceleration's force to those that they follow, and puts them back.
+    /// Passes the force on extended particles to those that they follow, and puts them back.
     void hand_over(ParticleSet<Dim>& solid) const;
     void put_back(ParticleSet<Dim>& solid) const;
 

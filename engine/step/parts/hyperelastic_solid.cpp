@@ -13,7 +13,7 @@
 namespace sluice {
 namespace {
 
-/// Up to here the steps that viscosity takes away are less than what the usual Courant number leaves.
+/// Up to this α the usual Courant number leaves enough room for what viscosity takes from the step.
 constexpr double modest_viscosity = 0.1;
 
 /// How much shorter the step of a total-Lagrangian solid must be with artificial viscosity α, whose forces lag by half
@@ -50,7 +50,7 @@ template <int Dim>
 void HyperelasticSolid<Dim>::start() {
     auto& solid = c_.state.solid;
     const double control = c_.has(Effect::hourglass_control) ? c_.scene.method.solid.hourglass_control : 0.0;
-    std::vector<double> stiffness;  // as laws_
+    std::vector<double> stiffness;  // one, or one per body, as laws_
     for (const Hyperelastic& law : laws_) stiffness.push_back(control * 2 * law.mu);
     elastic_correction<Dim>(view_of(solid), all_.list, stiffness, c_.method, solid.gradient_correction,
                             solid.hourglass_stiffness);
@@ -80,7 +80,7 @@ void HyperelasticSolid<Dim>::limit_step(std::vector<CourantLimit>& limits) const
             if (c_.state.solid_materials.of_body(solid.body[i]).number == material.number)
                 h = std::min(h, solid.smoothing_length[i]);
         if (!std::isfinite(h)) continue;  // of solids of another model
-        // Nothing holds the fastest waves back, as the hypoelastic solid's viscosity does.
+        // Nothing damps the fastest waves, as viscosity does in the hypoelastic solid.
         const double fastest = std::sqrt(material.law.wave_modulus() / material.eos.density);
         const double dt = fastest_mode_ > 0 ? stable_step() : 1.0 * c_.scene.method.courant * h / fastest;
         limits.push_back({SetId::solid, c_.scene.materials[material.number].name, dt, h, fastest, 0});
