@@ -1,4 +1,4 @@
-// What the loop over a block's pairs is given, and where it is found: once per instruction set and precision.
+// The interface of the loop over a block's pairs, which is compiled per instruction set and precision.
 #pragma once
 
 #include "kernels/choices.hpp"
@@ -9,7 +9,7 @@
 
 namespace sluice {
 
-/// How all pairs of a run are computed.
+/// How the pairs of a run are computed: precision and smoothing function.
 template <int Dim>
 struct PairMethod {
     Precision precision = Precision::full;
@@ -63,7 +63,7 @@ constexpr auto place_of() {
         return column::position;
 }
 
-/// A pass with `always_full` is computed in double whatever is asked for.
+/// Whether a pass is computed in double: with `always_full`, whatever is asked for.
 template <class Pass>
 constexpr bool is_full(Precision precision) {
     return requires { Pass::always_full; }

@@ -1,4 +1,4 @@
-// The loops over pairs across materials, compiled once per instruction set.
+// The loops over pairs of different materials, compiled once per instruction set.
 #include "kernels/passes/multiphase_loops.hpp"
 
 #include "kernels/pairs/block_loop_body.hpp"

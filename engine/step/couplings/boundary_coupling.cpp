@@ -64,7 +64,7 @@ void BoundaryCoupling<Dim>::friction(Vec<Dim>& on_solid, Vec<Dim>& on_fluid) {
     const double viscosity = c_.state.fluid_materials.front().viscosity;
     parallel_for(boundary.owned, [&](std::size_t i) { boundary.ghost_velocity.set(i, boundary.velocity[i]); });
     const auto fluid_view = view_of(fluid);
-    // Images of the fluid at a mirror wall move along with it: the mean over the fluid alone has the same tangent.
+    // Ghosts of the fluid behind a mirror wall have the same tangential velocity: so has the mean over the fluid alone.
     boundary_ghost_velocity<Dim>(view_of(boundary), fluid_view, of_boundary_, c_.method,
                                  boundary.ghost_velocity);
     c_.state.boundary.refresh_ghosts(column::ghost_velocity);
@@ -130,7 +130,7 @@ void BoundaryCoupling<Dim>::hand_over() {
     });
 }
 
-/// Images of the fluid belong to the mirror walls, and so do those of the boundary: neither counts.
+/// Ghosts of the fluid and of the boundary belong to mirror walls, and do not count.
 template <int Dim>
 void BoundaryCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<Dim>& on_fluid) {
     const auto& boundary = c_.state.boundary;

@@ -25,7 +25,7 @@ class SolidContact final : public Coupling<Dim> {
     explicit SolidContact(StepContext<Dim>& context);
 
     void start() override;
-    /// Walls have moved.
+    /// Notes that walls have moved.
     void rates() override { search_.add_motion(c_.motion.wall); }
     void solid_has_moved(double distance) override { search_.add_motion(distance); }
     void push_solid(const PartRange& part) override;
@@ -42,7 +42,7 @@ class SolidContact final : public Coupling<Dim> {
     using Particles = ContactParticles<Dim>;
 
     void set_thresholds();
-    /// Copies follow their particles, and have no σ and no force yet.
+    /// Moves copies to their particles, and sets their σ and force to zero.
     void refresh(Particles& p);
     using Bodies = BodyContact<Dim>;
 
@@ -55,13 +55,13 @@ class SolidContact final : public Coupling<Dim> {
     /// p = k (σ − threshold)₊ with k = stiffness(i). Returns whether there is any pressure.
     template <class Stiffness>
     bool set_pressure(Particles& p, const ScalarField& threshold, Stiffness&& stiffness);
-    /// k of a solid particle against walls [Pa]
+    /// The k of a solid particle against walls. [Pa]
     double wall_stiffness(std::size_t i) const;
-    /// Of the particles in this range.
+    /// Adds the forces on copies to the acceleration of their particles in this range.
     void accelerate(const Particles& p, const PartRange& part);
-    /// (z_0 − z)₊ of a particle [m]
+    /// (z_0 − z)₊ of a particle. [m]
     double depth(std::size_t plane, std::size_t i) const;
-    /// The force on it over (z_0 − z)₊. [N/m; N/m² in 2D]
+    /// The force on a particle over (z_0 − z)₊. [N/m; N/m² in 2D]
     double plane_stiffness(std::size_t i) const;
 
     StepContext<Dim>& c_;

@@ -176,7 +176,7 @@ void ContactSearch<Dim>::list_contact(const std::vector<Box<Dim>>& box,
     }
     particles.finish();
     const CutOff cut{skin_, 0.5 * support_, 0.5 * support_};
-    // Targets of their own: particles are not among their own candidates, as they would be within one set.
+    // Targets are a set of their own, so that particles are not among their own candidates.
     const VectorField<Dim> places = particles.position;
     const Set queries{particles.position, particles.smoothing_length}, others{places, particles.smoothing_length};
     for (std::size_t g = 0; g < groups; ++g) {
