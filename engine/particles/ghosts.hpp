@@ -5,8 +5,8 @@
 // copied. With ghosts as neighbours a particle at the wall sees a full support, no flow through the plane and no
 // friction along it.
 //
-// A periodic box of length L along n has a plane at each side. A particle near one side has a ghost, moved by L n, beyond
-// the other.
+// A periodic box of length L along n has a plane at each side. A particle near one side has a ghost, moved by L n,
+// beyond the other.
 //
 // Where two planes meet, ghosts have ghosts across the later plane, so that a corner is filled.
 //
@@ -48,8 +48,8 @@ struct TooManyGhostPaths : std::length_error {
 template <int Dim>
 class Ghosts {
   public:
-    /// Gives a ghost to each of the first `owned` particles that is no farther from a plane than range(i) [m], and appends
-    /// the ghosts' positions. Throws TooManyGhostPaths.
+    /// Gives a ghost to each of the first `owned` particles that is no farther from a plane than range(i) [m], and
+    /// appends the ghosts' positions. Throws TooManyGhostPaths.
     template <class Range>
     void create(const std::vector<GhostPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
                 Range&& range);

@@ -33,9 +33,9 @@ class IdIndex {
   private:
     Index find(std::uint64_t id) const;
 
-    Array<Index> table_;            ///< index by id
-    Array<std::uint64_t> far_id_;   ///< ids beyond the table, rising
-    Array<Index> far_index_;        ///< index of each of these
+    Array<Index> table_;           ///< index by id
+    Array<std::uint64_t> far_id_;  ///< ids beyond the table, rising
+    Array<Index> far_index_;       ///< index of each of these
 };
 
 }  // namespace sluice

@@ -10,9 +10,9 @@
 
 namespace sluice {
 
-/// Returns the number of each body's group; no_group for fluids. Hyperelastic bodies are joined, as if glued, if the gap
-/// between their surfaces is less than a quarter of a spacing anywhere. Joining is transitive. All hypoelastic bodies are
-/// one group, as they stick wherever they meet.
+/// Returns the number of each body's group; no_group for fluids. Hyperelastic bodies are joined, as if glued, if the
+/// gap between their surfaces is less than a quarter of a spacing anywhere. Joining is transitive. All hypoelastic
+/// bodies are one group, as they stick wherever they meet.
 std::vector<int> join_bodies(const Scene& scene, const std::vector<Packing>& packings);
 inline constexpr int no_group = -1;
 

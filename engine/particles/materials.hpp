@@ -12,11 +12,11 @@ namespace sluice {
 
 /// The constants of a material that loops need.
 struct MaterialConstants {
-    std::size_t number = 0;     ///< index into Scene::materials
-    EquationOfState eos;        ///< density and sound speed; the pressure of fluids and hypoelastic solids
-    double shear_modulus = 0;   ///< μ [Pa]
-    Hyperelastic law;           ///< of a hyperelastic solid
-    double viscosity = 0;       ///< ν of a fluid, kinematic [m²/s]
+    std::size_t number = 0;    ///< index into Scene::materials
+    EquationOfState eos;       ///< density and sound speed; the pressure of fluids and hypoelastic solids
+    double shear_modulus = 0;  ///< μ [Pa]
+    Hyperelastic law;          ///< of a hyperelastic solid
+    double viscosity = 0;      ///< ν of a fluid, kinematic [m²/s]
 };
 
 class MaterialList {

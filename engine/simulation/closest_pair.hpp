@@ -23,8 +23,8 @@ using CountsHere = std::function<bool(Index)>;
 template <int Dim>
 struct StepContext;
 
-/// Searches each fluid particle's neighbours, in the fluid, in fixed walls or in solids that are its moving boundary, for
-/// those nearer than this many spacings; finds none if the scene has no such neighbours. Takes one pass over pairs;
+/// Searches each fluid particle's neighbours, in the fluid, in fixed walls or in solids that are its moving boundary,
+/// for those nearer than this many spacings; finds none if the scene has no such neighbours. Takes one pass over pairs;
 /// `counts` is called only for particles that are too close.
 template <int Dim>
 ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings, const CountsHere& counts = {});

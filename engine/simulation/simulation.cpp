@@ -127,8 +127,8 @@ struct Simulation<Dim>::Impl {
         guarded([&] { neighbors.update(); });
     }
 
-    /// Turns into a numerical failure: particles that fly apart until their cells cannot be numbered, or that come where
-    /// too many mirror walls meet.
+    /// Turns into a numerical failure: particles that fly apart until their cells cannot be numbered, or that come
+    /// where too many mirror walls meet.
     template <class Work>
     void guarded(Work&& work) const {
         const auto broke_down = [this](const char* what, const char* cause) {

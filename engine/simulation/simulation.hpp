@@ -63,7 +63,8 @@ class Simulation {
     Vec<Dim> momentum() const;                          ///< of all moving particles [kg m/s]
     Vec<Dim> force_on(std::size_t body) const;          ///< of the fluid on a solid body [N; N/m in 2D]
     Vec<Dim> contact_force_on(std::size_t body) const;  ///< of contact, on a solid body [N; N/m in 2D]
-    /// Finds fluid particles nearer than this many spacings to others, to fixed walls, or to solids that are their boundary.
+    /// Finds fluid particles nearer than this many spacings to others, to fixed walls, or to solids that are their
+    /// boundary.
     ClosestPair closest_pair(Neighbor to, double spacings, const CountsHere& counts = {}) const;
     /// Multiplies later steps by this share; 1 at the start.
     void set_step_share(double share);

@@ -11,8 +11,8 @@ struct InterfaceBalance {
     double largest = 0;   ///< the largest of these sums so far
     double residual = 0;  ///< worst so far: |force on solid + force on fluid + reaction of the mirror walls| / largest
 
-    /// The residual is relative to the largest force so far: in a step in which the two hardly touch, both are rounding,
-    /// as the pressure of a pair, 2 p + ρ (g − a)·x, is a difference that each side rounds by itself.
+    /// The residual is relative to the largest force so far: in a step in which the two hardly touch, both are
+    /// rounding, as the pressure of a pair, 2 p + ρ (g − a)·x, is a difference that each side rounds by itself.
     void record(double magnitude, double net) {
         force = magnitude;
         largest = std::max(largest, magnitude);

@@ -102,7 +102,8 @@ void Neighborhood<Dim>::expect_motion(double of_fluid, double of_solid, double o
 template <int Dim>
 void Neighborhood<Dim>::add_motion(double of_fluid, double of_solid) {
     fluid_skin_.add_motion(of_fluid);
-    coupling_skin_.add_motion(0.5 * (of_fluid + of_solid));  // the sum for an element and a particle, not twice the larger
+    coupling_skin_.add_motion(0.5 *
+                              (of_fluid + of_solid));  // the sum for an element and a particle, not twice the larger
 }
 
 template <int Dim>
@@ -233,8 +234,8 @@ template <int Dim>
 void Neighborhood<Dim>::prune(Upkeep upkeep, double skin) {
     for (Pairing& pairing : pairings_)
         if (pairing.key.upkeep == upkeep)
-            search_.prune(places_of(pairing.key.query), places_of(pairing.key.target),
-                          cut_off(pairing.key.reach, skin), pairing.list);
+            search_.prune(places_of(pairing.key.query), places_of(pairing.key.target), cut_off(pairing.key.reach, skin),
+                          pairing.list);
 }
 
 template <int Dim>
@@ -254,7 +255,8 @@ void Neighborhood<Dim>::build_coupling() {
     coupling_skin_.was_built();
 }
 
-/// Builds the grids of particles that a coupling places, or that have moved since they were sorted, and of their ghosts.
+/// Builds the grids of particles that a coupling places, or that have moved since they were sorted, and of their
+/// ghosts.
 template <int Dim>
 void Neighborhood<Dim>::grid_copies(SetId id) {
     ParticleSet<Dim>& set = state_[id];

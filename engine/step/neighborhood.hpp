@@ -19,7 +19,8 @@ namespace sluice {
 template <int Dim>
 class Neighborhood {
   public:
-    /// h_over_d: smoothing length over spacing, which sets the size of the cells. support: of the smoothing function, in h.
+    /// h_over_d: smoothing length over spacing, which sets the size of the cells. support: of the smoothing function,
+    /// in h.
     Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d, double support);
 
     /// Returns the pairing with this key, the same for all callers. Call before build().

@@ -28,8 +28,8 @@ class SkinAccount {
 
     void was_built() { since_build_ = 0; }
     /// Returns the skin to prune with now: it should last for some steps, but rows grow with it. A row of a pass costs
-    /// about 1 + 2.5 s/h for a pruned skin s, a step has three passes, and pruning costs half a pass: with a motion u per
-    /// step, the total is least if a prune lasts √(h/30u) steps.
+    /// about 1 + 2.5 s/h for a pruned skin s, a step has three passes, and pruning costs half a pass: with a motion u
+    /// per step, the total is least if a prune lasts √(h/30u) steps.
     double prune() {
         const double left = std::max(skin_ - 2 * since_build_, 0.0);
         const double steps = next() > 0 ? std::clamp(std::round(std::sqrt(h_ / (30 * next()))), 1.0, 50.0) : 50.0;

@@ -16,8 +16,8 @@ enum class Column : std::uint8_t {
 /// What a column holds per particle: real numbers, or one whole number of 64, 16 or 8 bits.
 enum class Rank : std::uint8_t { scalar, vector, symmetric, full, id, number, flag };
 
-/// How a ghost gets a column from its parent: the same value; reflected or shifted, as a place or as a direction; not at
-/// all.
+/// How a ghost gets a column from its parent: the same value; reflected or shifted, as a place or as a direction; not
+/// at all.
 enum class Mirror : std::uint8_t { same, place, direction, none };
 
 /// Who sees a column: the engine alone, or programs in C++ and Python too.

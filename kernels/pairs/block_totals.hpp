@@ -1,5 +1,5 @@
-// Sums a pass's results over all particles, within blocks and then over blocks in order: the same bits for any number of
-// threads.
+// Sums a pass's results over all particles, within blocks and then over blocks in order: the same bits for any number
+// of threads.
 #pragma once
 
 #include <vector>

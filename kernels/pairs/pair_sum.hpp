@@ -20,8 +20,8 @@ const Section& section_of(Precision precision) {
     return is_full<Pass>(precision) ? in_double : in_single;
 }
 
-/// Memory traffic: each column that is read counts once, each that is written twice. How many different candidates there
-/// are is known only if they are the queries; otherwise one that is near several blocks counts for each.
+/// Memory traffic: each column that is read counts once, each that is written twice. How many different candidates
+/// there are is known only if they are the queries; otherwise one that is near several blocks counts for each.
 template <class Pass>
 PairWork pair_work(const ParticleView<Pass::dim>& a, const ParticleView<Pass::dim>& b, const NeighborList& list) {
     constexpr int dim = Pass::dim;

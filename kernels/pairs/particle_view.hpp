@@ -29,7 +29,7 @@ struct ParticleView {
 #include "kernels/columns/columns.def"
 #undef SLUICE_COLUMN
 
-#define SLUICE_COLUMN(name, ...)                                        \
+#define SLUICE_COLUMN(name, ...)                                     \
     auto& operator[](ColumnTag<Column::name>) { return this->name; } \
     const auto& operator[](ColumnTag<Column::name>) const { return this->name; }
 #include "kernels/columns/columns.def"
@@ -52,9 +52,9 @@ template <std::size_t N>
     return v;
 }
 
-/// The slots of gathered columns: the place, the smoothing length, then those of `Reads` in the order of the table. Each
-/// term names what it reads in `reads_i` and `reads_j`; only the columns of a pack's terms are gathered. The place is the
-/// column between whose values distances are measured; it has the first slots whether it is named or not.
+/// The slots of gathered columns: the place, the smoothing length, then those of `Reads` in the order of the table.
+/// Each term names what it reads in `reads_i` and `reads_j`; only the columns of a pack's terms are gathered. The place
+/// is the column between whose values distances are measured; it has the first slots whether it is named or not.
 template <int Dim, ColumnSet Reads>
 struct Slots {
     static constexpr int smoothing_length = Dim;

@@ -5,11 +5,11 @@
 
 namespace sluice::SLUICE_ISA {
 
-#define SLUICE_INSTANTIATE(Dim, Number)                                                \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMomentum<Dim>)                           \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMorrisMomentum<Dim>)                     \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseDensityRate<Dim>)                        \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseStressDivergence<Dim>)                   \
+#define SLUICE_INSTANTIATE(Dim, Number)                              \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMomentum<Dim>)         \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMorrisMomentum<Dim>)   \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseDensityRate<Dim>)      \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseStressDivergence<Dim>) \
     SLUICE_INSTANTIATE_PASS(Number, MultiphaseStressDivergence<Dim, ArtificialStress>)
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)

@@ -1,4 +1,5 @@
-// Couples fluid and solid with the solid's particles as the fluid's moving boundary (kernels/terms/moving_boundary.hpp).
+// Couples fluid and solid with the solid's particles as the fluid's moving boundary
+// (kernels/terms/moving_boundary.hpp).
 #pragma once
 
 #include "engine/scene/light_solid.hpp"

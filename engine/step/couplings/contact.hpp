@@ -15,10 +15,10 @@ namespace sluice {
 /// closer than touching), so steps are stable up to 0.92 h/c instead of 0.94 at the worst. At 2 it would be 6 to 15 %.
 inline constexpr double contact_stiffness = 1;
 
-/// Total-Lagrangian solids meet each other, unless they are joined (engine/particles/joined_bodies.hpp); any solid meets
-/// walls. A particle that starts closer than touching uses its initial σ, or its distance from a plane, as threshold, so
-/// the initial force is zero. A particle that starts behind a mirror plane never feels it. Moving walls push too; as they
-/// take whole steps, the solid's own steps see them where they were at the end of the last one.
+/// Total-Lagrangian solids meet each other, unless they are joined (engine/particles/joined_bodies.hpp); any solid
+/// meets walls. A particle that starts closer than touching uses its initial σ, or its distance from a plane, as
+/// threshold, so the initial force is zero. A particle that starts behind a mirror plane never feels it. Moving walls
+/// push too; as they take whole steps, the solid's own steps see them where they were at the end of the last one.
 template <int Dim>
 class SolidContact final : public Coupling<Dim> {
   public:
@@ -67,9 +67,9 @@ class SolidContact final : public Coupling<Dim> {
     StepContext<Dim>& c_;
     ContactSearch<Dim> search_;
     FlatContact flat_;
-    std::vector<ScalarField> body_threshold_;      ///< of σ for each of the search's contacts, by id
-    ScalarField wall_threshold_;                   ///< of σ, by id
-    std::vector<ScalarField> plane_threshold_;     ///< z_0 for each plane, by id [m]
+    std::vector<ScalarField> body_threshold_;   ///< of σ for each of the search's contacts, by id
+    ScalarField wall_threshold_;                ///< of σ, by id
+    std::vector<ScalarField> plane_threshold_;  ///< z_0 for each plane, by id [m]
 };
 
 extern template class SolidContact<2>;

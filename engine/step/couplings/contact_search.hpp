@@ -42,9 +42,9 @@ struct ContactParticles {
 /// All pairs of groups that press on each other with the same stiffness: that of the softer of the two.
 template <int Dim>
 struct BodyContact {
-    double modulus = 0;                ///< λ + 2μ of the softer one [Pa]
-    ContactParticles<Dim> particles;   ///< of all groups that have such a partner nearby
-    std::vector<NeighborList> lists;   ///< of each group with its partners, all within `particles`
+    double modulus = 0;               ///< λ + 2μ of the softer one [Pa]
+    ContactParticles<Dim> particles;  ///< of all groups that have such a partner nearby
+    std::vector<NeighborList> lists;  ///< of each group with its partners, all within `particles`
 
     /// visit(name, member) for what outlives a search.
     template <class Visit>
@@ -53,8 +53,8 @@ struct BodyContact {
     }
 };
 
-/// Tracks how far anything has moved, and searches again when something may have come near. Where nothing is near, there
-/// are no copies and no lists, and the next search is due when the nearest two may have met.
+/// Tracks how far anything has moved, and searches again when something may have come near. Where nothing is near,
+/// there are no copies and no lists, and the next search is due when the nearest two may have met.
 ///
 /// Bodies are near if their boxes are; a particle is copied if it is near the other's box. Walls likewise. There is no
 /// contact within a group of joined bodies, of a body with itself, or across the sides of a periodic box.
@@ -81,8 +81,8 @@ class ContactSearch {
 
     std::vector<BodyContact<Dim>> bodies;  ///< one, if all solids are of one material
     ContactParticles<Dim> at_walls;
-    NeighborList wall_list;                ///< wall particles near at_walls, ghosts included
-    std::vector<Array<Index>> at_planes;   ///< solid particles near each mirror plane
+    NeighborList wall_list;               ///< wall particles near at_walls, ghosts included
+    std::vector<Array<Index>> at_planes;  ///< solid particles near each mirror plane
 
   private:
     using Grid = ClusterGrid<Dim>;

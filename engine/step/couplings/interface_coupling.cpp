@@ -39,8 +39,8 @@ void InterfaceCoupling<Dim>::forces() {
     const Vec<Dim> on_solid = force_solid();
     auto& fluid = c_.state.fluid;
     const auto elements = view_of(c_.state.elements);
-    const Vec<Dim> on_fluid = add_interface_force_on_fluid<Dim>(view_of(fluid), elements, elements_at_fluid_,
-                                                                c_.method, block_totals_, fluid.acceleration);
+    const Vec<Dim> on_fluid = add_interface_force_on_fluid<Dim>(view_of(fluid), elements, elements_at_fluid_, c_.method,
+                                                                block_totals_, fluid.acceleration);
     add_interface_force_on_fluid<Dim>(view_of(fluid), elements, element_ghosts_at_fluid_, c_.method, block_totals_,
                                       fluid.acceleration);
     record_balance(on_solid, on_fluid);

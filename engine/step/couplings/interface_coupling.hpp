@@ -25,7 +25,8 @@ class InterfaceCoupling final : public Coupling<Dim> {
   private:
     const NeighborList& elements_with(SetId particles, Targets targets);
     const NeighborList& with_elements(SetId particles, Targets targets);
-    /// Moves elements with the solid: position and area from its outer particles, velocity with the weights of the forces.
+    /// Moves elements with the solid: position and area from its outer particles, velocity with the weights of the
+    /// forces.
     void update_elements(const VectorField<Dim>& solid_position, const ParticleView<Dim>& solid);
     /// Applies the force on the solid, and returns its sum.
     Vec<Dim> force_solid();

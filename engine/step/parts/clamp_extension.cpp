@@ -16,9 +16,9 @@ Point point_of(const Vec<Dim>& x) {
     return p;
 }
 
-/// The distance from x to a clamp's surface in the direction `ahead`; negative if x lies outside and the surface is behind
-/// it. Searches over `reach` on either side; if a clamp holds all of that, as that of another body may, the result is
-/// half-way to what is ahead.
+/// The distance from x to a clamp's surface in the direction `ahead`; negative if x lies outside and the surface is
+/// behind it. Searches over `reach` on either side; if a clamp holds all of that, as that of another body may, the
+/// result is half-way to what is ahead.
 template <int Dim>
 std::optional<double> depth_below_surface(const Shape& clamp, const Vec<Dim>& x, const Vec<Dim>& ahead, double reach) {
     const auto holds = [&](double t) { return clamp.contains(point_of(x + t * ahead)); };

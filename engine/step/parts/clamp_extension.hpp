@@ -12,14 +12,14 @@
 //
 // What is behind the surface has no energy. Where the surface cuts particles' cells, as an arc must, each has that
 // share of its energy which its cell has outside the clamp, be its centre held or not: ψ and k of
-// kernels/passes/total_lagrangian_passes.hpp times `elastic_share`. And all whose cells are cut follow, those with their
-// centre outside by s_b < 0, as u = s_b/s_j u_j. That keeps a bar under uniform strain in balance, which decides the
-// order: with whole cells, or with cut ones that move by themselves, a bar acts as if it were up to a spacing, or 0.7
-// of it, longer than it is; so 0.04 at the most (one dimension, h = 1.2 d, surface anywhere between two particles).
+// kernels/passes/total_lagrangian_passes.hpp times `elastic_share`. And all whose cells are cut follow, those with
+// their centre outside by s_b < 0, as u = s_b/s_j u_j. That keeps a bar under uniform strain in balance, which decides
+// the order: with whole cells, or with cut ones that move by themselves, a bar acts as if it were up to a spacing, or
+// 0.7 of it, longer than it is; so 0.04 at the most (one dimension, h = 1.2 d, surface anywhere between two particles).
 //
 // Particles whose share is 0 are rigid: L = 0 and k = 0, so that F = I and T = 0. What is left of the energy (b) of
-// kernels/passes/total_lagrangian_passes.hpp depends on free particles only, directly and by way of those that follow, so that
-// a force f_b on one of these is one of −r f_b on its j: f_j = −∂U/∂x_j, and energy is kept.
+// kernels/passes/total_lagrangian_passes.hpp depends on free particles only, directly and by way of those that follow,
+// so that a force f_b on one of these is one of −r f_b on its j: f_j = −∂U/∂x_j, and energy is kept.
 //
 // Held as before, u = 0, are particles that have free ones on both sides of them, as in a body clamped in its middle
 // only.

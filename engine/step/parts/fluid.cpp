@@ -147,8 +147,8 @@ void FluidPart<Dim>::rates() {
     std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
     if (c_.has(Effect::several_fluids)) {
         update_excess_density();
-        c_.pairs += multiphase_continuity<Dim>(view_of(fluid), list_, diffusion_.coefficient, c_.method,
-                                               fluid.density_rate);
+        c_.pairs +=
+            multiphase_continuity<Dim>(view_of(fluid), list_, diffusion_.coefficient, c_.method, fluid.density_rate);
         return;
     }
     if (!c_.has(Effect::density_diffusion)) {

@@ -41,8 +41,8 @@ HyperelasticSolid<Dim>::HyperelasticSolid(StepContext<Dim>& context)
     const MaterialConstants& material = c_.state.solid_materials.front();
     const double alpha = c_.has(Effect::solid_viscosity) ? c_.scene.method.solid.artificial_viscosity : 0.0;
     viscosity_ = {alpha, material.eos.sound_speed, material.eos.density, c_.has(Effect::several_solids)};
-    laws_ = c_.state.solid_materials.by_body(
-        c_.scene.bodies.size(), [](const MaterialConstants& of) { return of.law; });
+    laws_ =
+        c_.state.solid_materials.by_body(c_.scene.bodies.size(), [](const MaterialConstants& of) { return of.law; });
     if (c_.has(Effect::clamp)) moving_ = &c_.neighbors.derive(all_, "moving");
 }
 
@@ -215,7 +215,8 @@ double HyperelasticSolid<Dim>::find_fastest_mode() {
         parallel_for(n, [&](std::size_t n_th) {
             const std::size_t i = first + n_th;
             const double scale = solid.clamped[i] ? 0.0 : -std::sqrt(solid.mass[i]) / amplitude;
-            for (int k = 0; k < Dim; ++k) y[Dim * n_th + static_cast<std::size_t>(k)] = scale * solid.acceleration[i][k];
+            for (int k = 0; k < Dim; ++k)
+                y[Dim * n_th + static_cast<std::size_t>(k)] = scale * solid.acceleration[i][k];
         });
     });
     solid.position = start;
@@ -242,7 +243,8 @@ double HyperelasticSolid<Dim>::find_fastest_damping() {
         parallel_for(n, [&](std::size_t n_th) {
             const std::size_t i = first + n_th;
             const double scale = solid.clamped[i] ? 0.0 : -sign * std::sqrt(solid.mass[i]);
-            for (int k = 0; k < Dim; ++k) y[Dim * n_th + static_cast<std::size_t>(k)] += scale * solid.acceleration[i][k];
+            for (int k = 0; k < Dim; ++k)
+                y[Dim * n_th + static_cast<std::size_t>(k)] += scale * solid.acceleration[i][k];
         });
     };
     const double fastest = largest_eigenvalue(Dim * n, [&](std::span<const double> x, std::span<double> y) {

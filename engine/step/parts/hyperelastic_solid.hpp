@@ -7,9 +7,9 @@
 
 namespace sluice {
 
-/// A step of its own is kick, drift, kick under stress, contact and gravity: symplectic, so that energy neither grows nor
-/// decays. It includes only the steady part of the fluid's force (engine/step/parts/steady_load.hpp); the rest acts as
-/// an impulse before and after all of them.
+/// A step of its own is kick, drift, kick under stress, contact and gravity: symplectic, so that energy neither grows
+/// nor decays. It includes only the steady part of the fluid's force (engine/step/parts/steady_load.hpp); the rest acts
+/// as an impulse before and after all of them.
 template <int Dim>
 class HyperelasticSolid final : public SolidPart<Dim> {
   public:
@@ -50,8 +50,8 @@ class HyperelasticSolid final : public SolidPart<Dim> {
     double stable_step() const;
 
     StepContext<Dim>& c_;
-    Pairing& all_;                ///< without the rows of particles whose stress never changes
-    Pairing* moving_ = nullptr;  ///< the rows whose forces are needed; null: all
+    Pairing& all_;                    ///< without the rows of particles whose stress never changes
+    Pairing* moving_ = nullptr;       ///< the rows whose forces are needed; null: all
     std::vector<Hyperelastic> laws_;  ///< one, or one for each body of the scene
     ElasticViscosity viscosity_;
     ClampExtension<Dim> behind_clamp_;

@@ -6,8 +6,8 @@
 
 namespace sluice {
 
-/// A step of its own is one of the paper's staggered explicit Euler scheme: velocities at n ± 1/2, everything else at n;
-/// rates of density and stress are computed half-way.
+/// A step of its own is one of the paper's staggered explicit Euler scheme: velocities at n ± 1/2, everything else at
+/// n; rates of density and stress are computed half-way.
 template <int Dim>
 class HypoelasticSolid final : public SolidPart<Dim> {
   public:
@@ -36,7 +36,7 @@ class HypoelasticSolid final : public SolidPart<Dim> {
     double drift_to_end();
 
     StepContext<Dim>& c_;
-    Pairing& all_;                ///< without the rows of particles whose stress never changes
+    Pairing& all_;               ///< without the rows of particles whose stress never changes
     Pairing* moving_ = nullptr;  ///< null: all are moving
     SolidTerms terms_;
     double last_dt_ = 0;  ///< of its previous step, half of which the velocities are behind; 0 at the start

@@ -8,7 +8,8 @@
 namespace sluice {
 namespace {
 
-/// The most steps between two shifts: disorder grows over several h, and particles move up to 0.1 h in a step (Mach 0.1).
+/// The most steps between two shifts: disorder grows over several h, and particles move up to 0.1 h in a step (Mach
+/// 0.1).
 constexpr std::uint64_t longest_interval = 4;
 
 /// δx = −D ∇C of all particles at once overshoots if D is too large: on a square lattice with Wendland C2 and h = 1.5 d
@@ -25,7 +26,8 @@ ParticleShifting<Dim>::ParticleShifting(StepContext<Dim>& context)
         return &c_.neighbors.pair({SetId::fluid, SetId::boundary, Upkeep::coupling, targets}).list;
     };
     if (c_.has(Effect::fixed_wall)) at_walls_ = &c_.neighbors.pair({SetId::fluid, SetId::wall}).list;
-    if (c_.has(Effect::moving_boundary)) at_solids_ = boundary(Targets::own), at_solid_ghosts_ = boundary(Targets::ghosts);
+    if (c_.has(Effect::moving_boundary))
+        at_solids_ = boundary(Targets::own), at_solid_ghosts_ = boundary(Targets::ghosts);
     terms_.h_over_d = c_.scene.method.smoothing_length;
     terms_.strength = c_.scene.method.fluid.shifting;
 }

@@ -9,8 +9,8 @@
 
 namespace sluice {
 
-/// The displacement of a wall over time, by its formulas or its table. The wall rests before the first row of a table and
-/// after the last.
+/// The displacement of a wall over time, by its formulas or its table. The wall rests before the first row of a table
+/// and after the last.
 template <int Dim>
 class WallMotion {
   public:
