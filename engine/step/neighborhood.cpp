@@ -102,8 +102,8 @@ void Neighborhood<Dim>::expect_motion(double of_fluid, double of_solid, double o
 template <int Dim>
 void Neighborhood<Dim>::add_motion(double of_fluid, double of_solid) {
     fluid_skin_.add_motion(of_fluid);
-    coupling_skin_.add_motion(0.5 *
-                              (of_fluid + of_solid));  // the sum for an element and a particle, not twice the larger
+    // The skin allows for twice this: for the sum of both motions, not for twice the larger.
+    coupling_skin_.add_motion(0.5 * (of_fluid + of_solid));
 }
 
 template <int Dim>

@@ -29,9 +29,13 @@ struct BlockTask {
 inline constexpr std::size_t block_particles = block_size * cluster_size;
 
 // A pass is a set of terms with their constants:
-//   dim; outputs, the numbers that it sums; reads_i, reads_j (kernels/pairs/particle_view.hpp); length, if not the
-//   mean; place, if distances are not those of `position`; always_full, if mixed precision will not do operator()(pair)
-//   → Vec<outputs, Real>
+//   dim
+//   outputs            how many numbers it sums
+//   reads_i, reads_j   columns (kernels/pairs/particle_view.hpp)
+//   length             if not the mean
+//   place              if distances are not those of `position`
+//   always_full        if mixed precision will not do
+//   operator()(pair)   returns Vec<outputs, Real>
 //
 // sum_block: sums[(cluster · outputs + k) · 4 + lane] = Σ_j pass(ij)[k] for the block's particles.
 #define SLUICE_DECLARE_LOOP(level)                                                                                  \

@@ -8,8 +8,7 @@
 namespace sluice {
 namespace {
 
-/// The most steps between two shifts: disorder grows over several h, and particles move up to 0.1 h in a step (Mach
-/// 0.1).
+/// The most steps between two shifts. Disorder grows over several h; at Mach 0.1 particles move 0.1 h in a step.
 constexpr std::uint64_t longest_interval = 4;
 
 /// δx = −D ∇C of all particles at once overshoots if D is too large: on a square lattice with Wendland C2 and h = 1.5 d

@@ -9,9 +9,9 @@
 namespace sluice {
 
 /// Clamped particles never move, so that stress can change only next to particles that do: `all` keeps the rows of
-/// these. `moving` becomes the rows whose forces are needed: those of particles that are not clamped, and of those
-/// marked `extended`. The stress of those marked `rigid` is not needed (clamp_extension.hpp). Both marks are by index,
-/// or empty.
+/// particles with such neighbours. `moving` becomes the rows whose forces are needed: those of particles that are not
+/// clamped, and of those marked `extended`. The stress of those marked `rigid` is not needed (clamp_extension.hpp).
+/// Both marks are by index, or empty.
 template <int Dim>
 void leave_out_resting(const ParticleSet<Dim>& solid, std::span<const std::uint8_t> rigid,
                        std::span<const std::uint8_t> extended, NeighborList& all, NeighborList& moving) {
