@@ -12,6 +12,13 @@ enum class Viscosity { none, artificial, morris, monaghan_gingold };
 /// Which differences of density are no noise and stay (kernels/terms/density_diffusion.hpp).
 enum class DensityDiffusion { none, molteni_colagrossi, fourtakas, antuono };
 
+/// Energy density and stress of a deformation (kernels/materials/hyperelastic.hpp).
+enum class ElasticLaw {
+#define SLUICE_ELASTIC_LAW(name, word) name,
+#include "kernels/elastic_laws.def"
+#undef SLUICE_ELASTIC_LAW
+};
+
 /// In what the arithmetic of pairs is done. State is double in both; in mixed precision the sums over a row, a few
 /// dozen pairs, are single too.
 enum class Precision { full, mixed };

@@ -68,7 +68,7 @@ struct Simulation::Impl {
         if (threads > 0) omp_set_num_threads(threads);
     }
 
-    /// Before the particles change: what somebody still holds becomes his.
+    /// Before the particles change: columns that callers still hold become theirs; the simulation continues on copies.
     void let_go() {
         for (const auto& [data, weak] : holds)
             if (const auto hold = weak.lock()) hold->memory = part_with(data);

@@ -19,7 +19,7 @@ class BackgroundWriter {
 
     /// At most `capacity` bytes wait, or one task if that is larger. 0: there is no thread, `add` does the task.
     explicit BackgroundWriter(std::size_t capacity = default_capacity);
-    /// Finishes what waits; a fault in it is lost, which `finish` would have thrown.
+    /// Drains the queue. Exceptions are swallowed; call finish() to receive them.
     ~BackgroundWriter();
     BackgroundWriter(const BackgroundWriter&) = delete;
     BackgroundWriter& operator=(const BackgroundWriter&) = delete;

@@ -1,16 +1,16 @@
-// Ghosts: particles that stand in for others, behind mirror walls and beyond the sides of a periodic box.
+// Ghost particles: copies of other particles behind mirror walls and beyond the sides of a periodic box.
 //
 // Mirror walls are slip walls made by reflecting the particles in front of them. The ghost of a particle at x across
 // the plane (P, n) is at x − 2 ((x − P)·n) n, and its velocity likewise has its normal part reversed; scalars are
 // copied. With ghosts as neighbours a particle at the wall sees a full support, no flow through the plane and no
 // friction along it.
 //
-// A periodic box of length L along n has a plane at either side; what is near one has a ghost moved by L n, so that it
-// stands beyond the other.
+// A periodic box of length L along n has a plane at each side. A particle near one side has a ghost, moved by L n,
+// beyond the other.
 //
-// Where two planes meet, ghosts are seen again across the later plane, so that a corner is filled.
+// Where two planes meet, ghosts have ghosts across the later plane, so that a corner is filled.
 //
-// How a ghost has each column from its parent is said by the table of columns (Mirror).
+// The table of columns says how a ghost gets each column from its parent (Mirror).
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct GhostPlane {
     Vec<Dim> image_direction(const Vec<Dim>& v) const { return is_mirror() ? v - 2 * dot(v, normal) * normal : v; }
 };
 
-/// Thrown where so many planes lie near the same particles that the ways across them cannot be numbered.
+/// Thrown if so many planes lie near the same particles that the paths across them cannot be numbered.
 struct TooManyGhostPaths : std::length_error {
     using std::length_error::length_error;
 };
@@ -48,26 +48,26 @@ struct TooManyGhostPaths : std::length_error {
 template <int Dim>
 class Ghosts {
   public:
-    /// Decides the ghosts of the first `owned` particles: those no farther from a plane than range(i), and appends
-    /// their positions. [m] Throws TooManyGhostPaths.
+    /// Gives a ghost to each of the first `owned` particles that is no farther from a plane than range(i) [m], and
+    /// appends the ghosts' positions. Throws TooManyGhostPaths.
     template <class Range>
     void create(const std::vector<GhostPlane<Dim>>& planes, VectorField<Dim>& position, std::size_t owned,
                 Range&& range);
 
-    /// Brings the ghosts into another order: ghost k is then the one that was at index order[k]. Columns must follow.
+    /// Reorders the ghosts: ghost k becomes the one that was at index order[k]. The columns must be reordered likewise.
     void reorder(const Array<Index>& order, std::size_t owned);
 
     std::size_t count() const { return parent_.size(); }
-    /// The owned particle that ghost k shows.
+    /// The owned particle that ghost k is a copy of.
     Index parent(std::size_t k) const { return parent_[k]; }
 
-    /// Gives a column as many ghosts as there are, with their parents' values.
+    /// Resizes a column to hold the ghosts too, with their parents' values.
     template <Mirror M, class Field>
     void extend(Field& field, std::size_t owned) const {
         for_each_component(field, [&](auto& column) { resize_tight(column, owned + count()); });
         follow<M>(field, owned);
     }
-    /// Ghosts of a column follow their parents.
+    /// Updates the ghosts of a column from their parents.
     template <Mirror M, class Field>
     void follow(Field& field, std::size_t owned) const {
         static_assert(M != Mirror::none, "ghosts do not have this column");
@@ -81,7 +81,7 @@ class Ghosts {
             show(field, owned, [](const GhostPlane<Dim>& p, const Vec<Dim>& v) { return p.image_direction(v); });
     }
 
-    /// visit(name, member) for all that decides the ghosts; the planes are given anew with the next ones.
+    /// visit(name, member) for each member; the planes are replaced when ghosts are next created.
     template <class Visit>
     void visit_state(Visit&& visit) {
         visit("planes", planes_), visit("paths", paths_), visit("parent", parent_), visit("path", path_);
@@ -90,7 +90,7 @@ class Ghosts {
     std::size_t bytes() const { return parent_.capacity() * sizeof(Index) + path_.capacity() * sizeof(PathNumber); }
 
   private:
-    /// Planes that lead from an owned particle to a ghost, the first one first.
+    /// The planes crossed from an owned particle to its ghost, in order.
     using Path = std::vector<std::uint32_t>;
     using PathNumber = std::uint16_t;
     static constexpr std::size_t most_paths = std::size_t{std::numeric_limits<PathNumber>::max()} + 1;
@@ -111,7 +111,7 @@ class Ghosts {
         return std::find(paths_[path].begin(), paths_[path].end(), static_cast<std::uint32_t>(plane)) !=
                paths_[path].end();
     }
-    /// The path that goes on across one more plane.
+    /// Adds the path that crosses one more plane, and returns its number.
     PathNumber add_path(PathNumber from, std::size_t plane) {
         if (paths_.size() == most_paths)
             throw TooManyGhostPaths(
@@ -144,7 +144,7 @@ void Ghosts<Dim>::create(const std::vector<GhostPlane<Dim>>& planes, VectorField
             const Index owner = i < owned ? static_cast<Index>(i) : parent_[i - owned];
             const PathNumber path = i < owned ? PathNumber{0} : path_[i - owned];
             if (planes[p].distance(place_of(position[owner], path)) > range(owner)) continue;
-            if (!planes[p].is_mirror() && leads_across(path, planes[p].partner)) continue;  // would lead back
+            if (!planes[p].is_mirror() && leads_across(path, planes[p].partner)) continue;  // it would lead back
             parent_.push_back(owner);
             if (onward[path] == 0) onward[path] = add_path(path, p);
             path_.push_back(onward[path]);

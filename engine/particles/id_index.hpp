@@ -1,4 +1,4 @@
-// Where a particle stands that is known by its id.
+// Finds a particle by its id.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace sluice {
 
-/// Ids may have gaps. Most are found in a table, those far beyond the number of particles by halving.
+/// Ids may have gaps. Most are looked up in a table; those far beyond the number of particles by binary search.
 class IdIndex {
   public:
     static constexpr Index none = std::numeric_limits<Index>::max();
 
     IdIndex() = default;
-    /// For particles with these ids.
+    /// Indexes these ids.
     explicit IdIndex(const Array<std::uint64_t>& id) { update(id, id.size()); }
 
-    /// For particles whose ids stand in the first `count` places.
+    /// Indexes the first `count` ids.
     void update(const Array<std::uint64_t>& id, std::size_t count);
 
     /// The particle's index, or `none`.
@@ -33,9 +33,9 @@ class IdIndex {
   private:
     Index find(std::uint64_t id) const;
 
-    Array<Index> table_;            ///< by id
-    Array<std::uint64_t> far_id_;   ///< rising
-    Array<Index> far_index_;        ///< of each
+    Array<Index> table_;           ///< index by id
+    Array<std::uint64_t> far_id_;  ///< ids beyond the table, rising
+    Array<Index> far_index_;       ///< index of each of these
 };
 
 }  // namespace sluice

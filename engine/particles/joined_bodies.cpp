@@ -12,7 +12,7 @@ namespace {
 /// those of shapes that share one may have half of one here and there, but not everywhere.
 constexpr double joined_gap = 0.25;
 
-/// Two sets of points within a distance of each other at one place or more.
+/// Whether any two points of the two sets are within a distance of each other.
 bool are_within(const Packing& a, const Packing& b, double distance) {
     const auto field = [](const Packing& p) {
         VectorField<3> x;
@@ -37,7 +37,7 @@ template <int Dim>
 bool are_near(const std::vector<Box<Dim>>& box, double reach) {
     for (std::size_t a = 0; a < box.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
-            if (distance2(box[a], box[b]) < reach * reach) return true;  // boxes of nothing are far from everything
+            if (distance2(box[a], box[b]) < reach * reach) return true;  // empty boxes are far from everything
     return false;
 }
 
@@ -82,7 +82,7 @@ void part_references(const std::vector<int>& group_of_body, double reach, const 
     for (std::size_t i = hyperelastic.first; i < hyperelastic.last; ++i)
         box[static_cast<std::size_t>(group_of_body[solid.body[i]])].add(solid.reference_position[i]);
     if (!are_near(box, reach)) return;
-    // In a row along x. The first group stays where it is.
+    // The groups are put in a row along x; the first stays where it is.
     std::vector<double> shift(box.size(), 0);
     bool first = true;
     double end = 0;

@@ -1,4 +1,4 @@
-// Which solid bodies are one from the start, and which are apart and may come into contact.
+// Decides which solid bodies are joined from the start; the others may come into contact.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace sluice {
 
-/// A group's number for each body of the scene; no_group for fluids. Hyperelastic bodies are joined, as if glued, if
-/// somewhere the gap between their surfaces is less than a quarter of a spacing. Joining is transitive. Hypoelastic
-/// bodies, which stick wherever they meet, are one group.
+/// Returns the number of each body's group; no_group for fluids. Hyperelastic bodies are joined, as if glued, if the
+/// gap between their surfaces is less than a quarter of a spacing anywhere. Joining is transitive. All hypoelastic
+/// bodies are one group, as they stick wherever they meet.
 std::vector<int> join_bodies(const Scene& scene, const std::vector<Packing>& packings);
 inline constexpr int no_group = -1;
 
-/// If groups of hyperelastic solids start within reach of each other, gives each a reference configuration to
-/// itself by moving its reference positions, of which nothing but differences count. Without that they would be bound
-/// to each other for good.
+/// Moves the reference positions of each group of hyperelastic solids out of the others' reach, if any start within it;
+/// otherwise they would be neighbours, and so bound to each other, for good. Only differences of reference positions
+/// within a group count.
 template <int Dim>
 void part_references(const std::vector<int>& group_of_body, double reach, const PartRange& hyperelastic,
                      ParticleSet<Dim>& solid);

@@ -10,18 +10,18 @@
 
 namespace sluice {
 
-/// A material's constants, as loops need them.
+/// The constants of a material that loops need.
 struct MaterialConstants {
-    std::size_t number = 0;     ///< index into Scene::materials
-    EquationOfState eos;        ///< of a fluid or hypoelastic solid; of all their density and sound speed
-    double shear_modulus = 0;   ///< μ [Pa]
-    Hyperelastic law;           ///< of a hyperelastic solid
-    double viscosity = 0;       ///< ν of a fluid, kinematic [m²/s]
+    std::size_t number = 0;    ///< index into Scene::materials
+    EquationOfState eos;       ///< density and sound speed; the pressure of fluids and hypoelastic solids
+    double shear_modulus = 0;  ///< μ [Pa]
+    Hyperelastic law;          ///< of a hyperelastic solid
+    double viscosity = 0;      ///< ν of a fluid, kinematic [m²/s]
 };
 
 class MaterialList {
   public:
-    /// States the material of one of the scene's bodies.
+    /// Sets the material of one of the scene's bodies.
     void add(std::size_t body, const MaterialConstants& material) {
         std::size_t k = 0;
         while (k < all_.size() && all_[k].number != material.number) ++k;
@@ -31,11 +31,11 @@ class MaterialList {
     }
 
     bool empty() const { return all_.empty(); }
-    /// One material for all bodies: its constants are then constants of the loops.
+    /// Whether all bodies have one material, whose constants are then constants of the loops.
     bool uniform() const { return all_.size() == 1; }
     const MaterialConstants& front() const { return all_.front(); }
     const MaterialConstants& of_body(std::size_t body) const { return all_[of_body_[body]]; }
-    /// value(material) of the one material; of many for each of the scene's bodies.
+    /// value(material): a single value if there is one material, else one for each of the scene's bodies.
     template <class Value>
     auto by_body(std::size_t bodies, Value&& value) const {
         std::vector<decltype(value(front()))> values;
@@ -47,12 +47,12 @@ class MaterialList {
     auto end() const { return all_.end(); }
 
   private:
-    std::vector<MaterialConstants> all_;  ///< in the order of the bodies that have them first
+    std::vector<MaterialConstants> all_;  ///< in the order in which bodies first use them
     std::vector<std::size_t> of_body_;
 };
 
-/// Calls work(of), where of(i) are the constants of particle i: the choice between one material and many is made once,
-/// not for each particle.
+/// Calls work(of), where of(i) returns the constants of particle i. Chooses between one material and many once, not for
+/// each particle.
 template <class Work>
 decltype(auto) with_materials(const MaterialList& materials, const Array<std::uint16_t>& body, Work&& work) {
     if (materials.uniform()) {

@@ -1,11 +1,11 @@
-// The particles of one part: a range of a set.
+// The particles of a part: a range of a set.
 #pragma once
 
 #include "neighbor/parallel.hpp"
 
 namespace sluice {
 
-/// Two solids of different models stand in one set, each in a range of its own.
+/// Solids of different models share one set; each model has a range of its own.
 struct PartRange {
     std::size_t first = 0, last = 0;
 

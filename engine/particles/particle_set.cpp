@@ -7,7 +7,7 @@
 namespace sluice {
 namespace {
 
-/// A spare column of each type: one column's old memory is the next one's new.
+/// A spare column of each type: the memory that one column leaves is used by the next.
 struct Buffers {
     Array<double> reals;
     Array<std::uint64_t> ids;
@@ -32,7 +32,8 @@ void ParticleSet<Dim>::reorder(const Array<Index>& order, std::size_t first) {
         std::copy_n(column.begin(), first, moved.begin());
         parallel_for(order.size(), [&](std::size_t k) { moved[first + k] = column[order[k]]; });
         const std::size_t last = first + order.size();
-        std::copy(column.begin() + static_cast<std::ptrdiff_t>(last), column.begin() + static_cast<std::ptrdiff_t>(owned),
+        std::copy(column.begin() + static_cast<std::ptrdiff_t>(last),
+                  column.begin() + static_cast<std::ptrdiff_t>(owned),
                   moved.begin() + static_cast<std::ptrdiff_t>(last));
         column.swap(moved);
     });

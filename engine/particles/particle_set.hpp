@@ -1,5 +1,5 @@
-// A set of particles: what a medium, a wall or a boundary is made of. All sets are of one type; each holds only the
-// columns that the scene's effects need, the others stay empty.
+// A set of particles: a medium, a wall or a boundary. All sets have this one type; each allocates only the columns that
+// the scene's effects need.
 #pragma once
 
 #include "engine/particles/ghosts.hpp"
@@ -7,21 +7,21 @@
 
 namespace sluice {
 
-/// Particles beyond `owned` are ghosts, which follow their parents when a column is refreshed.
+/// Particles from index `owned` on are ghosts; they take their parents' values when a column is refreshed.
 template <int Dim>
 struct ParticleSet : Columns<Dim> {
     std::size_t owned = 0;
     Ghosts<Dim> ghosts;
 
-    /// With ghosts.
+    /// Number of particles, ghosts included.
     std::size_t size() const { return this->position.size(); }
 
-    /// Ghosts of these columns follow their parents: refresh_ghosts(column::position, column::velocity).
+    /// Updates the ghosts of these columns: refresh_ghosts(column::position, column::velocity).
     template <Column... C>
     void refresh_ghosts(ColumnTag<C>... columns) {
         (ghosts.template follow<info_of(C).mirror>((*this)[columns], owned), ...);
     }
-    /// Gives ghosts of all columns that they have their size and their parents' values.
+    /// Resizes all columns that ghosts have to hold them, with their parents' values.
     void extend_ghosts() {
         for_each_field(*this, [&](auto tag, auto& field) {
             constexpr Mirror mirror = info_of(decltype(tag)::column).mirror;
@@ -31,8 +31,8 @@ struct ParticleSet : Columns<Dim> {
         });
     }
 
-    /// Brings the particles first, first + 1, … into another order, of which there are as many as in `order`: particle
-    /// first + k is then the one that was at order[k]. Ghosts are dropped.
+    /// Reorders order.size() particles from `first` on: particle first + k becomes the one that was at order[k]. Drops
+    /// the ghosts.
     void reorder(const Array<Index>& order, std::size_t first);
 
   private:

@@ -23,8 +23,7 @@ Vec<Dim> to_vec(const Point& p) {
 
 MaterialConstants constants_of(const Scene& scene, std::size_t number) {
     const Material& m = scene.materials[number];
-    const ElasticLaw law =
-        m.model == SolidModel::neo_hookean ? ElasticLaw::neo_hookean : ElasticLaw::saint_venant_kirchhoff;
+    const ElasticLaw law = elastic_law_of(m.model).value_or(ElasticLaw{});
     return {number,
             {m.density, m.sound_speed, m.pressure_exponent},
             m.shear_modulus,
@@ -32,7 +31,7 @@ MaterialConstants constants_of(const Scene& scene, std::size_t number) {
             m.viscosity / m.density};
 }
 
-/// Bodies as their particles are placed: hypoelastic solids before hyperelastic ones, so that either are a range.
+/// The order in which bodies are placed: hypoelastic solids before hyperelastic ones, so that each model is a range.
 std::vector<std::size_t> bodies_in_order(const Scene& scene) {
     std::vector<std::size_t> order(scene.bodies.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -43,7 +42,7 @@ std::vector<std::size_t> bodies_in_order(const Scene& scene) {
     return order;
 }
 
-/// What pairs across fluids are not defined for is refused.
+/// Refuses what pairs of different fluids are not defined for.
 void check_fluids(const Scene& scene, const MaterialList& fluids) {
     if (fluids.empty() || fluids.uniform()) return;
     const auto material = [&](const MaterialConstants& of) -> const Material& { return scene.materials[of.number]; };
@@ -59,7 +58,7 @@ void check_fluids(const Scene& scene, const MaterialList& fluids) {
                    "\"fourtakas\", \"molteni-colagrossi\" or \"none\"");
 }
 
-/// The columns of what differs from material to material, if there are several.
+/// Fills the columns of constants that differ between materials, if there are several.
 template <int Dim>
 void place_constants(const MaterialList& materials, ParticleSet<Dim>& set) {
     for (std::size_t i = 0; i < set.rest_density.size(); ++i) {
@@ -69,7 +68,7 @@ void place_constants(const MaterialList& materials, ParticleSet<Dim>& set) {
     }
 }
 
-/// Fields of one new particle that both media have; its density follows from its pressure.
+/// Appends a particle to the columns that both media have.
 template <int Dim>
 void append(ParticleSet<Dim>& phase, const Vec<Dim>& x, const Vec<Dim>& v, double pressure, double density) {
     phase.position.push_back(x);
@@ -171,7 +170,7 @@ void place_wall(const Scene& scene, std::size_t number, const Packing& packing, 
     }
 }
 
-/// Gives every column that the effects need its size; those that placing has not filled start at zero.
+/// Sizes the columns that the effects need; those that placing has not filled are zero.
 template <int Dim>
 void allocate(const Effects& effects, SetId id, std::size_t particles, State<Dim>& state) {
     ParticleSet<Dim>& set = state[id];
@@ -182,7 +181,7 @@ void allocate(const Effects& effects, SetId id, std::size_t particles, State<Dim
     });
 }
 
-/// A solid particle's number within its body, and the elements around the bodies that fluid can reach.
+/// Makes the interface elements around all solid bodies.
 template <int Dim>
 void place_interface(const Scene& scene, const std::vector<Packing>& packings, State<Dim>& state) {
     Index first_id = 0;
@@ -199,7 +198,7 @@ void place_interface(const Scene& scene, const std::vector<Packing>& packings, S
 template <int Dim>
 std::vector<bool> near_surface(const Packing& packing, double range) {
     const SiteIndex lattice(packing.site);
-    // Beside a body of much coarser particles the range may be many times the lattice: what is beyond it is empty.
+    // Beside a body of much coarser particles the range may exceed the lattice many times; sites beyond it are empty.
     Site size{};
     for (const Site& s : packing.site)
         for (std::size_t k = 0; k < 3; ++k) size[k] = std::max(size[k], s[k] + 1);
@@ -220,7 +219,7 @@ std::vector<bool> near_surface(const Packing& packing, double range) {
     return near;
 }
 
-/// The solids' particles that a fluid can feel: those within a support of their surface.
+/// Makes the boundary set of the solids' particles that a fluid can feel: those within a support of their surface.
 template <int Dim>
 void place_boundary(const Scene& scene, const Effects& effects, const std::vector<Packing>& packings,
                     State<Dim>& state) {
@@ -275,7 +274,7 @@ State<Dim> place_particles(const Scene& scene, const Effects& effects) {
     check_fluids(scene, state.fluid_materials);
     place_constants(state.fluid_materials, state.fluid);
     place_constants(state.solid_materials, state.solid);
-    // A wall that nothing meets is none.
+    // A wall that nothing can meet has no particles.
     allocate(effects, SetId::wall, effects.needs(SetId::wall, Column::position) ? state.wall.id.size() : 0, state);
     if (effects.has(Effect::moving_wall)) state.wall.initial_position = state.wall.position;
     if (effects.has(Effect::no_slip_wall))

@@ -1,4 +1,4 @@
-// The columns of a set of particles, as what a run must keep to go on (engine/files/state_visitors.hpp).
+// The columns of a set of particles as part of a checkpoint (engine/files/state_visitors.hpp).
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace sluice {
 
-/// All columns of a set of particles. When read, there must be as many particles and the same columns as the scene
-/// calls for.
+/// Visits all columns of a set. When reading, the checkpoint must hold as many particles and the same columns as the
+/// scene calls for.
 template <int Dim>
 struct SetColumns {
     ParticleSet<Dim>& set;

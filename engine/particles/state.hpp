@@ -1,4 +1,4 @@
-// Everything that a simulation's particles are and do, at one instant.
+// The state of all particles of a simulation at one instant.
 #pragma once
 
 #include <vector>
@@ -15,10 +15,10 @@ namespace sluice {
 template <int Dim>
 struct State {
     ParticleSet<Dim> fluid, solid, wall, elements, boundary;
-    PartRange hypoelastic, hyperelastic;        ///< of the solid's particles
+    PartRange hypoelastic, hyperelastic;  ///< of the solid's particles
     MaterialList fluid_materials, solid_materials;
     BodySurface<Dim> surface;
-    std::vector<int> solid_group;               ///< of each body of the scene (joined_bodies.hpp), if solids may meet
+    std::vector<int> solid_group;  ///< of each of the scene's bodies, if solids may meet (joined_bodies.hpp)
     std::vector<GhostPlane<Dim>> ghost_planes;  ///< mirror walls and sides of periodic boxes
     Vec<Dim> gravity;                           ///< [m/s²]
     double max_h = 0;                           ///< largest smoothing length [m]

@@ -79,7 +79,7 @@ struct Probe {
 struct MediumMethod {
     double velocity_filter = 1;  ///< θ of eq. (16); 1 = off
     DensityDiffusion density_diffusion = DensityDiffusion::none;
-    double acoustic_damping = 0;                 ///< α of engine/step/material_update.hpp; 0 = off
+    double acoustic_damping = 0;                 ///< α of the bulk viscosity α ρ c0 h; 0 = off
     double shifting = 0;                         ///< A of kernels/terms/particle_shift.hpp; 0 = off
     double diffusion_coefficient = 0.1;          ///< δ
     Viscosity viscous_form = Viscosity::morris;  ///< of a viscous fluid

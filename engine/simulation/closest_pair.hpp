@@ -1,4 +1,4 @@
-// The pair of particles that has come closest, if any has come too close.
+// The closest pair of particles, among those that have come too close.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace sluice {
 
-/// What a fluid particle has come too close to.
+/// What a fluid particle may have come too close to.
 enum class Neighbor { fluid, solid, wall };
 
 struct ClosestPair {
@@ -23,9 +23,9 @@ using CountsHere = std::function<bool(Index)>;
 template <int Dim>
 struct StepContext;
 
-/// Looks at each fluid particle for neighbours nearer than so many spacings among the fluid, among fixed walls, or
-/// among solids that are the fluid's moving boundary; none if the scene has no such neighbours. A pass over their
-/// pairs; `counts` is asked for what is near only.
+/// Searches each fluid particle's neighbours, in the fluid, in fixed walls or in solids that are its moving boundary,
+/// for those nearer than this many spacings; finds none if the scene has no such neighbours. Takes one pass over pairs;
+/// `counts` is called only for particles that are too close.
 template <int Dim>
 ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings, const CountsHere& counts = {});
 

@@ -17,7 +17,7 @@
 namespace sluice {
 namespace {
 
-/// Gravity, and an acceleration of everything that depends on time: a tank that is shaken, seen from within.
+/// Gravity, plus an acceleration of everything that depends on time, as in a shaken tank seen from within.
 template <int Dim>
 class BodyAcceleration {
   public:
@@ -27,7 +27,7 @@ class BodyAcceleration {
             driven_.emplace_back(c_.scene, "acceleration", c_.scene.acceleration[k], Variable::time);
     }
 
-    /// Sets the state's gravity to that of a time [s].
+    /// Sets the state's gravity to its value at time t. [s]
     void update(double t) {
         if (driven_.empty()) return;
         c_.state.gravity = constant_;
@@ -61,7 +61,7 @@ struct Simulation<Dim>::Impl {
         forces();
     }
 
-    /// Everything but the first forces. Returns the steps that the parts bear.
+    /// Starts everything but the first forces. Returns a planner with the parts' limits.
     StepPlanner start() {
         context.couplings = make_couplings(context);
         neighbors.build();
@@ -127,8 +127,8 @@ struct Simulation<Dim>::Impl {
         guarded([&] { neighbors.update(); });
     }
 
-    /// Particles that fly apart until their cells cannot be numbered are a numerical failure, and those that come where
-    /// too many mirror walls meet.
+    /// Turns into a numerical failure: particles that fly apart until their cells cannot be numbered, or that come
+    /// where too many mirror walls meet.
     template <class Work>
     void guarded(Work&& work) const {
         const auto broke_down = [this](const char* what, const char* cause) {
@@ -146,7 +146,7 @@ struct Simulation<Dim>::Impl {
         }
     }
 
-    /// visit(name, member) for what changes during a run, but for that of the parts and couplings themselves.
+    /// visit(name, member) for what changes during a run, except within parts and couplings, which save it themselves.
     /// Everything else follows from the scene.
     template <class Visit>
     void visit_state(Visit&& visit) {

@@ -14,7 +14,7 @@
 
 namespace sluice {
 
-/// What a run has cost so far, apart from time.
+/// The work done in a run so far.
 struct WorkCount {
     std::uint64_t steps = 0;
     std::uint64_t particle_steps = 0;  ///< fluid and solid particles advanced, the solid's by sub-steps
@@ -43,7 +43,7 @@ class Simulation {
     void step();
 
     double time() const;
-    double time_step() const;    ///< of the fluid, or of a solid alone [s]
+    double time_step() const;    ///< of the fluid, or of solids if there is none [s]
     int solid_substeps() const;  ///< in each step; 1 = single-rate
     const std::vector<CourantLimit>& courant_limits() const;
 
@@ -53,7 +53,7 @@ class Simulation {
     const ParticleSet<Dim>& solid() const;
     const ParticleSet<Dim>& wall() const;
     const MaterialList& solid_materials() const;
-    const PartRange& hyperelastic() const;  ///< of solid(): those in their reference configuration
+    const PartRange& hyperelastic() const;  ///< range of solid(): the total-Lagrangian particles
     const ParticleSet<Dim>& interface() const;
     const ParticleSet<Dim>& boundary() const;
 
@@ -62,27 +62,28 @@ class Simulation {
     EnergyBalance energy() const;
     Vec<Dim> momentum() const;                          ///< of all moving particles [kg m/s]
     Vec<Dim> force_on(std::size_t body) const;          ///< of the fluid on a solid body [N; N/m in 2D]
-    Vec<Dim> contact_force_on(std::size_t body) const;  ///< of what a solid body touches [N; N/m in 2D]
-    /// Fluid particles nearer than so many spacings to others, fixed walls, or solids that are their moving boundary.
+    Vec<Dim> contact_force_on(std::size_t body) const;  ///< of contact, on a solid body [N; N/m in 2D]
+    /// Finds fluid particles nearer than this many spacings to others, to fixed walls, or to solids that are their
+    /// boundary.
     ClosestPair closest_pair(Neighbor to, double spacings, const CountsHere& counts = {}) const;
-    /// Later steps are so much of what they would be: 1 at the start.
+    /// Multiplies later steps by this share; 1 at the start.
     void set_step_share(double share);
     InterfaceBalance interface_balance() const;  ///< worst residual over all steps so far
     double max_mach() const;                     ///< highest |v|/c0 of the fluid so far
     double max_speed() const;                    ///< highest |v| of the fluid so far [m/s]
     std::size_t memory_bytes() const;            ///< particle fields and neighbour lists
 
-    /// Everything that changes during a run. A simulation of the same scene that has restored it takes the same steps,
-    /// to the bit, with any number of threads.
+    /// Writes everything that changes during a run. A simulation of the same scene that has restored it takes the same
+    /// steps, to the bit, with any number of threads.
     void save(const StateWriter& writer) const;
-    /// Throws CheckpointError for the state of another scene; this simulation is of no use then.
+    /// Throws CheckpointError for the state of another scene; the simulation cannot be used afterwards.
     void restore(const StateReader& reader);
 
-    /// Parts with a column of the particles: its memory goes to the caller as it is, the simulation goes on with a
-    /// copy. Null if no column begins there.
+    /// Hands the memory of a column over to the caller, and continues on a copy. Null if no column begins at this
+    /// address.
     std::shared_ptr<const void> part_with(const void* column);
 
-    /// Index in solid() of the particle with this id.
+    /// Finds the index in solid() of a particle by its id.
     const IdIndex& solid_index_of_id() const;
 
   private:

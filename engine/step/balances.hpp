@@ -1,4 +1,4 @@
-// What particles hold as a whole: energy, momentum, highest speed. Sums do not depend on the number of threads.
+// Energy, momentum and highest speed of particles. Sums do not depend on the number of threads.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace sluice {
 
-/// Kinetic energy and the potential one, −m g·x.
+/// Adds kinetic energy and potential energy −m g·x.
 template <int Dim>
 void add_motion(const ParticleSet<Dim>& set, const PartRange& part, const Vec<Dim>& gravity, EnergyBalance& e) {
     e.kinetic += ordered_sum<double>(part, [&](std::size_t i) { return 0.5 * set.mass[i] * norm2(set.velocity[i]); });
@@ -18,7 +18,7 @@ void add_motion(const ParticleSet<Dim>& set, const PartRange& part, const Vec<Di
         ordered_sum<double>(part, [&](std::size_t i) { return set.mass[i] * dot(gravity, set.position[i]); });
 }
 
-/// ∫ p/ρ² dρ
+/// Adds the energy of compression, m ∫ p/ρ² dρ.
 template <int Dim>
 void add_compression(const ParticleSet<Dim>& set, const PartRange& part, const MaterialList& materials,
                      EnergyBalance& e) {

@@ -17,14 +17,14 @@ namespace sluice {
 template <int Dim>
 class Coupling;
 
-/// How fast the fluid is, for the length of steps and for what tells of it.
+/// How fast the fluid is, for the length of steps and for reports.
 struct FlowSpeed {
     double now = 0;           ///< highest |v| of the last step [m/s]
     double highest = 0;       ///< of all steps so far [m/s]
     double acceleration = 0;  ///< highest |a| of the last kick [m/s²]
 };
 
-/// Bounds of how far particles move in the step under way. [m]
+/// Upper bounds of how far particles move in the current step. [m]
 struct StepMotion {
     double fluid = 0, wall = 0, solid = 0;
 };
@@ -36,11 +36,11 @@ struct StepContext {
     State<Dim>& state;
     Neighborhood<Dim>& neighbors;
     PairMethod<Dim> method;
-    StepPlan plan;  ///< of the step under way
+    StepPlan plan;  ///< of the current step
     PhaseTimer timer{};
     std::uint64_t steps = 0;        ///< taken so far
-    std::uint64_t solid_steps = 0;  ///< of the solids' own, likewise
-    double time = 0, end = 0;       ///< at which the step under way begins and ends [s]
+    std::uint64_t solid_steps = 0;  ///< steps of the solids' own, so far
+    double time = 0, end = 0;       ///< at which the current step begins and ends [s]
     std::uint64_t pairs = 0;        ///< directed pairs inside the support so far, over all passes
     FlowSpeed flow{};
     StepMotion motion{};

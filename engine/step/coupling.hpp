@@ -1,4 +1,4 @@
-// What parts do to each other in a step: walls, interfaces between fluid and solids, contact.
+// How parts act on each other in a step: walls, interfaces between fluid and solids, contact.
 #pragma once
 
 #include "engine/particles/part_range.hpp"
@@ -11,7 +11,7 @@ namespace sluice {
 class StateReader;
 class StateWriter;
 
-/// Stages as of Part, each after the parts' own.
+/// The stages are those of Part; in each, couplings come after the parts.
 template <int Dim>
 class Coupling {
   public:
@@ -24,13 +24,13 @@ class Coupling {
     virtual void rates() {}
     virtual void forces() {}
 
-    /// Within a solid's own steps: adds to the acceleration of the solid's particles in this range.
+    /// Adds to the acceleration of the solid's particles in this range, within the solid's own steps.
     virtual void push_solid(const PartRange&) {}
-    /// Tells that no solid particle has moved farther than this. [m]
+    /// Reports that no solid particle has moved farther than this since the last call. [m]
     virtual void solid_has_moved(double) {}
 
     virtual Vec<Dim> fluid_force_on(std::size_t) const { return {}; }    ///< on a solid body [N; N/m in 2D]
-    virtual Vec<Dim> contact_force_on(std::size_t) const { return {}; }  ///< likewise
+    virtual Vec<Dim> contact_force_on(std::size_t) const { return {}; }  ///< on a solid body, of contact [N; N/m in 2D]
     virtual const InterfaceBalance* balance() const { return nullptr; }
     virtual void add_energy(EnergyBalance&) const {}
     virtual std::uint64_t builds() const { return 0; }  ///< of neighbour lists of its own

@@ -7,8 +7,8 @@ struct EnergyBalance {
     double kinetic = 0;
     double potential = 0;
     double compression = 0;  ///< of fluid and hypoelastic solid: ∫ p/ρ² dρ
-    double elastic = 0;  ///< of the solid's deviatoric stress, S:S/4μ; of a total-Lagrangian solid ψ(F) altogether
-    double contact = 0;  ///< of solids pressed against each other and against walls
+    double elastic = 0;      ///< of the hypoelastic solid's deviatoric stress, S:S/4μ; of the total-Lagrangian one all
+    double contact = 0;      ///< of solids pressed against each other or against walls
     double total() const { return kinetic + potential + compression + elastic + contact; }
 };
 

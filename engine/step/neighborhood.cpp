@@ -40,7 +40,7 @@ Neighborhood<Dim>::Neighborhood(State<Dim>& state, const Effects& effects, doubl
       solid_skin_(skin_for(state.solid.smoothing_length)),
       coupling_skin_(skin_over_h * state.min_h, state.min_h) {}
 
-/// A range that is all of a set is the set's.
+/// A range that is all of a set counts as the set.
 template <int Dim>
 PartRange Neighborhood<Dim>::within(SetId set, const PartRange& range) const {
     return range.size() == state_[set].owned ? PartRange{} : range;
@@ -102,7 +102,8 @@ void Neighborhood<Dim>::expect_motion(double of_fluid, double of_solid, double o
 template <int Dim>
 void Neighborhood<Dim>::add_motion(double of_fluid, double of_solid) {
     fluid_skin_.add_motion(of_fluid);
-    coupling_skin_.add_motion(0.5 * (of_fluid + of_solid));  // elements and particles together: not twice the larger
+    // The skin allows for twice this: for the sum of both motions, not for twice the larger.
+    coupling_skin_.add_motion(0.5 * (of_fluid + of_solid));
 }
 
 template <int Dim>
@@ -233,8 +234,8 @@ template <int Dim>
 void Neighborhood<Dim>::prune(Upkeep upkeep, double skin) {
     for (Pairing& pairing : pairings_)
         if (pairing.key.upkeep == upkeep)
-            search_.prune(places_of(pairing.key.query), places_of(pairing.key.target),
-                          cut_off(pairing.key.reach, skin), pairing.list);
+            search_.prune(places_of(pairing.key.query), places_of(pairing.key.target), cut_off(pairing.key.reach, skin),
+                          pairing.list);
 }
 
 template <int Dim>
@@ -254,11 +255,12 @@ void Neighborhood<Dim>::build_coupling() {
     coupling_skin_.was_built();
 }
 
-/// The grid of particles that a coupling places, or that have moved since they were sorted, and that of their ghosts.
+/// Builds the grids of particles that a coupling places, or that have moved since they were sorted, and of their
+/// ghosts.
 template <int Dim>
 void Neighborhood<Dim>::grid_copies(SetId id) {
     ParticleSet<Dim>& set = state_[id];
-    // Elements have no reach of their own.
+    // Elements have no smoothing length of their own.
     const bool reaches = id != SetId::elements;
     grids_of(id).own.build(set.position, 0, set.owned, cell_of(id),
                            reaches ? std::span<const double>(set.smoothing_length) : std::span<const double>());
@@ -273,12 +275,12 @@ void Neighborhood<Dim>::search_coupling(Pairing& pairing) {
     const std::array<const Grid*, 1> targets{key.targets == Targets::ghosts ? &of.ghosts : &of.own};
     const CutOff cut = cut_off(key.reach, coupling_skin_.skin());
     CutOff wide = cut;
-    wide.skin += fluid_skin_.motion() + solid_skin_.motion();  // the particles' grids are as old as their lists
+    wide.skin += fluid_skin_.motion() + solid_skin_.motion();  // the grids are as old as the particles' lists
     search_.build(grids_of(key.query).own, targets, wide, pairing.list);
     search_.prune(places_of(key.query), places_of(key.target), cut, pairing.list);
 }
 
-/// In between particles may stand outside, as their lists know them there.
+/// Between builds particles may be outside, as that is where their lists have them.
 template <int Dim>
 void Neighborhood<Dim>::wrap_fluid() {
     auto& fluid = state_.fluid;
@@ -306,7 +308,7 @@ void Neighborhood<Dim>::wrap_walls() {
     }
 }
 
-/// A particle at distance s from the plane has its ghost at −s; the nearest that can feel it stands on the plane.
+/// A particle at distance s from the plane has its ghost at −s; the nearest particle that can feel it is on the plane.
 template <int Dim>
 void Neighborhood<Dim>::make_ghosts(SetId id, double skin) {
     if (!has_ghosts()) return;

@@ -1,4 +1,4 @@
-// Keeps particles in the order of their clusters, makes ghosts, and holds the neighbour lists of all pairings.
+// Sorts particles into clusters, makes ghosts, and keeps the neighbour lists of all pairings.
 #pragma once
 
 #include <deque>
@@ -14,47 +14,49 @@
 
 namespace sluice {
 
-/// Parts and couplings say what they pair; then everything is built, and kept up to date from step to step.
+/// Parts and couplings ask for the pairings that they need; then all lists are built, and kept up to date from step to
+/// step.
 template <int Dim>
 class Neighborhood {
   public:
-    /// h_over_d: smoothing length over spacing, for the size of the cells. support: of the smoothing function, in h.
+    /// h_over_d: smoothing length over spacing, which sets the size of the cells. support: of the smoothing function,
+    /// in h.
     Neighborhood(State<Dim>& state, const Effects& effects, double h_over_d, double support);
 
-    /// The pairing of this key; one and the same for all who ask. To be asked for before build().
+    /// Returns the pairing with this key, the same for all callers. Call before build().
     Pairing& pair(const PairingKey& key);
-    /// A pairing whose list is made from that of another (Pairing::derived), under a name of its own.
+    /// Adds a pairing whose list is made from that of another (Pairing::derived), with a name of its own.
     Pairing& derive(const Pairing& from, const std::string& name);
-    /// place() puts the particles of a coupling's set, copies or elements, where they belong before its lists are built.
+    /// Has place() called before the lists of a coupling's set are built: it puts the particles of the set, copies or
+    /// elements, in place.
     void place_before(SetId set, std::function<void()> place) { placing_.push_back({set, std::move(place)}); }
 
-    /// Sorts particles, makes ghosts and lists for the first time.
+    /// Sorts particles and makes ghosts and lists for the first time.
     void build();
 
-    /// Tells how far particles will about move in the first step, and a solid's in its first sub-step. [m]
+    /// Estimates how far particles will move in the first step, and those of a solid in its first sub-step. [m]
     void expect_motion(double of_fluid, double of_solid, double of_solid_substep);
-    /// Tells that no particle of the hypoelastic solid has moved farther than this in a sub-step. [m]
+    /// Reports that no particle of the hypoelastic solid has moved farther than this in a sub-step. [m]
     void add_solid_motion(double distance) { solid_skin_.add_motion(distance); }
-    /// Tells that in a whole step no particle has moved farther than this. [m]
+    /// Reports that no particle has moved farther than this in a whole step. [m]
     void add_motion(double of_fluid, double of_solid);
 
-    /// Brings lists up to date for the step to come: builds, or prunes, those that need it. Particles may change their
-    /// places in memory.
+    /// Builds or prunes the lists that need it for the next step. Particles may change their places in memory.
     void update();
-    /// The same for what a hypoelastic solid's sub-step needs.
+    /// The same for the lists of a hypoelastic solid, between its sub-steps.
     void update_solid();
-    /// Prunes a list for good, to the support as it is now.
+    /// Prunes a list for good, to the pairs within the support now.
     void prune_for_good(Pairing& pairing);
 
     const IdIndex& solid_index_of_id() const { return solid_index_of_id_; }
-    /// These change when particles have changed their places in memory.
+    // Numbers that change when particles have changed their places in memory.
     std::uint64_t solid_layout() const { return solid_layout_; }
     std::uint64_t wall_layout() const { return wall_layout_; }
     std::uint64_t builds() const { return builds_; }
     std::size_t bytes() const;
 
-    /// visit(name, member) for lists, grids, ghosts and how old they are. With all of it a run goes on to the same
-    /// bits: lists built anew elsewhere would add up pairs in another order.
+    /// visit(name, member) for lists, grids, ghosts and their ages. With all of these a resumed run has the same bits;
+    /// lists built anew at another time would add up pairs in another order.
     template <class Visit>
     void visit_state(Visit&& visit);
 
@@ -62,7 +64,7 @@ class Neighborhood {
     using Grid = ClusterGrid<Dim>;
     using Set = typename NeighborSearch<Dim>::Set;
 
-    /// Particles of a set that stand in one grid: its own, or a part's range of them, or its ghosts.
+    /// The grids of a set's particles, or of a part's range of them, and of its ghosts.
     struct Grids {
         SetId set;
         PartRange range;  ///< empty = all
@@ -90,11 +92,11 @@ class Neighborhood {
     void prune(Upkeep upkeep, double skin);
     void search_coupling(Pairing& pairing);
 
-    /// Brings a set's particles, or a range of them, into the order of their grid.
+    /// Sorts a set's particles, or a range of them, into the order of their grid.
     void sort(SetId set, const PartRange& range = {});
     void sort_walls();
     void number_solids();
-    /// Brings what has left a periodic box back in at the other side.
+    /// Brings particles that have left a periodic box back in at the other side.
     void wrap_fluid();
     void wrap_walls();
     void make_ghosts(SetId set, double skin);

@@ -1,4 +1,4 @@
-// Who meets whom: two sets of particles and the list of their neighbours.
+// A pairing: two sets of particles, and the list of the neighbours that one has in the other.
 #pragma once
 
 #include <functional>
@@ -10,27 +10,27 @@
 
 namespace sluice {
 
-/// Which of the targets' particles are looked at.
+/// Which particles of the target set are searched.
 enum class Targets { own, ghosts, all };
 
-/// Whose smoothing length says how far a pair reaches: the mean of both, or one side's where the other has none.
+/// Which smoothing length sets the cut-off of a pair: the mean of both, or one side's where the other has none.
 enum class Reach { mean, of_query, of_target };
 
-/// When a list is built anew.
+/// When a list is rebuilt.
 enum class Upkeep {
-    with_fluid,  ///< together with all lists of the fluid, when it has moved as far as their skin allows
-    with_solid,  ///< likewise of the hypoelastic solid
-    coupling,    ///< when one of these is, or fluid and solids have together moved too far
+    with_fluid,  ///< with all lists of the fluid, once it has moved as far as their skin allows
+    with_solid,  ///< with all lists of the hypoelastic solid, likewise
+    coupling,    ///< when one of these is rebuilt, or fluid and solids together have moved too far
     for_good     ///< never: neighbours in the reference configuration stay neighbours
 };
 
-/// What a pairing is known by.
+/// What identifies a pairing.
 struct PairingKey {
     SetId query, target;
     Upkeep upkeep = Upkeep::with_fluid;
     Targets targets = Targets::all;
     Reach reach = Reach::mean;
-    PartRange range{};  ///< of the query's and target's particles, for a part among itself; empty = all
+    PartRange range{};  ///< for pairs within a part: its range of the set; empty = all
 
     friend bool operator==(const PairingKey& a, const PairingKey& b) {
         return a.query == b.query && a.target == b.target && a.upkeep == b.upkeep && a.targets == b.targets &&
@@ -41,9 +41,9 @@ struct PairingKey {
 struct Pairing {
     PairingKey key;
     std::string name;  ///< in checkpoints
-    /// Called when the list has been searched for, before it is pruned for the first time; may be empty.
+    /// Called after a search, before the list is first pruned; may be empty.
     std::function<void()> searched = {};
-    /// Taken from another pairing's list by its `searched`, and only pruned by itself.
+    /// Made from the list of another pairing, by that one's `searched`; only pruned, never searched, by itself.
     bool derived = false;
     NeighborList list = {};
 };

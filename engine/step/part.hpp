@@ -1,4 +1,4 @@
-// What a step does with each part of a scene: the fluid, solids of each model, walls.
+// The parts that a step advances: the fluid, solids of each model, walls.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace sluice {
 class StateReader;
 class StateWriter;
 
-/// The stages of a step, in their order; each is called for all parts before the next. A part does nothing in those that
-/// it leaves out. Choices are made here, once per stage, and never per pair.
+/// The stages of a step, in order; each is called for all parts before the next. A part does nothing in a stage that it
+/// does not override. Virtual calls are made once per stage, never per pair.
 template <int Dim>
 class Part {
   public:
@@ -22,18 +22,18 @@ class Part {
     Part(const Part&) = delete;
     Part& operator=(const Part&) = delete;
 
-    /// Once, when particles are sorted and listed for the first time.
+    /// Called once, when particles have been sorted and listed for the first time.
     virtual void start() {}
-    /// Tells the largest steps that it bears.
+    /// Adds the largest stable step of each of its materials.
     virtual void limit_step(std::vector<CourantLimit>&) const {}
 
-    /// From time n to the middle of the step; what has steps of its own goes through all of them.
+    /// Advances from time n to the middle of the step; solids, which have steps of their own, take all of them.
     virtual void first_half() {}
-    /// Rates of density, at half-way positions.
+    /// Computes rates of density, at half-way positions.
     virtual void rates() {}
-    /// From the middle of the step to its end.
+    /// Advances from the middle of the step to its end.
     virtual void second_half() {}
-    /// Accelerations at the end of the step.
+    /// Computes accelerations at the end of the step.
     virtual void forces() {}
     /// Brings velocities to where they stand between steps.
     virtual void last_kick() {}
@@ -41,7 +41,7 @@ class Part {
     virtual void add_energy(EnergyBalance&) const {}
     virtual Vec<Dim> momentum() const { return {}; }  ///< [kg m/s]
 
-    /// What changes during a run and is not among the particles' columns.
+    /// Writes and reads what changes during a run and is not in the particles' columns.
     virtual void save(const StateWriter&) {}
     virtual void restore(const StateReader&) {}
 };

@@ -9,7 +9,7 @@
 
 namespace sluice {
 
-/// A phase, for whoever watches the loops.
+/// The section that profiles know a phase by.
 inline const Section& section_of(StepPhase phase) {
     static constexpr auto sections = [] {
         std::array<Section, step_phase_names.size()> all;

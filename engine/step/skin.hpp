@@ -1,4 +1,4 @@
-// When a neighbour list must be built anew, and when pruning it pays.
+// When a neighbour list must be rebuilt, and when it pays to prune it.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace sluice {
 
-/// Keeps account of how far particles have moved since a list was built with a skin, and since it was pruned.
+/// Tracks how far particles have moved since a list was built with a skin, and since it was pruned.
 class SkinAccount {
   public:
     SkinAccount(double skin, double smoothing_length) : skin_(skin), h_(smoothing_length) {}
@@ -14,22 +14,22 @@ class SkinAccount {
     double skin() const { return skin_; }
     /// How far particles may have moved since the build. [m]
     double motion() const { return since_build_; }
-    /// No particle has moved farther than this since the last call. [m]
+    /// Reports that no particle has moved farther than this since the last call. [m]
     void add_motion(double distance) {
         since_build_ += distance;
         since_prune_ += distance;
         last_ = distance;
     }
-    /// Tells that particles will move about so far in the next step, where none has been taken yet. [m]
+    /// Estimates how far particles will move in the next step, before the first one. [m]
     void expect_motion(double distance) { last_ = distance; }
-    /// Whether some pair may come within its support in the next step without being listed.
+    /// Whether some pair might come within its support in the next step without being listed.
     bool outdated() const { return 2 * (since_build_ + next()) > skin_; }
     bool prune_due() const { return 2 * (since_prune_ + next()) > pruned_skin_; }
 
     void was_built() { since_build_ = 0; }
-    /// The skin for a prune now: it should last for some steps, but rows grow with it. A row of a pass costs about
-    /// 1 + 2.5 s/h for a pruned skin s, a step has three passes, and pruning costs half a pass: with a motion u per
-    /// step the sum of both is least after √(h/30u) steps.
+    /// Returns the skin to prune with now: it should last for some steps, but rows grow with it. A row of a pass costs
+    /// about 1 + 2.5 s/h for a pruned skin s, a step has three passes, and pruning costs half a pass: with a motion u
+    /// per step, the total is least if a prune lasts √(h/30u) steps.
     double prune() {
         const double left = std::max(skin_ - 2 * since_build_, 0.0);
         const double steps = next() > 0 ? std::clamp(std::round(std::sqrt(h_ / (30 * next()))), 1.0, 50.0) : 50.0;
@@ -45,7 +45,7 @@ class SkinAccount {
     }
 
   private:
-    /// What the next step may bring: a little more than the last.
+    /// Bound of the motion in the next step: a little more than in the last.
     double next() const { return 1.2 * last_; }
 
     double skin_, h_;

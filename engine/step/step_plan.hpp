@@ -1,4 +1,4 @@
-// How far a step goes: Courant limits, and each medium's share of a step.
+// The length of a step: Courant limits, and the number of the solid's sub-steps.
 #pragma once
 
 #include <string>
@@ -15,17 +15,17 @@ class Effects;
 struct CourantLimit {
     SetId set{};             ///< fluid or solid
     std::string medium;      ///< material's name
-    double dt = 0;           ///< courant · h / c0, or what viscosity or the fastest mode leave of it [s]
+    double dt = 0;           ///< courant · h / c0, or the limit by viscosity or by the fastest mode [s]
     double h = 0;            ///< the medium's smallest smoothing length [m]
     double sound_speed = 0;  ///< c0 [m/s]
     double viscosity = 0;    ///< ν [m²/s]
 };
 
-/// The step of all media together, and how many sub-steps of the solid there are in it.
+/// The step of all media, and the number of the solid's sub-steps in it.
 struct StepPlan {
     double dt = 0;                 ///< [s]
     int substeps = 1;              ///< of the solid
-    double single_rate_steps = 1;  ///< how many steps of the single-rate scheme it takes the place of
+    double single_rate_steps = 1;  ///< how many steps of the single-rate scheme it replaces
 
     /// visit(name, member) for each member.
     template <class Visit>
@@ -36,8 +36,8 @@ struct StepPlan {
 
 /// Plans each step before it is taken.
 ///
-/// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, cut into as many solid steps as the solid's
-/// limit asks for. A step that the scene sets is taken as it is, and cut likewise.
+/// Single-rate: the smallest limit for all. Multi-rate: the fluid's limit, divided into as many solid steps as the
+/// solid's limit requires. A step that the scene states is taken as it is, and divided likewise.
 ///
 /// A viscous fluid allows no more than ⅛ h²/ν [Morris, Fox & Zhu 1997].
 ///
@@ -45,16 +45,16 @@ struct StepPlan {
 /// speed and acceleration of the last step; from one step to the next it grows by a tenth at the most.
 class StepPlanner {
   public:
-    /// Throws SceneError if no run could be finished with such steps.
+    /// Throws SceneError if no run could finish with such steps.
     StepPlanner(const Scene& scene, const Effects& effects, std::vector<CourantLimit> limits);
 
     /// speed, acceleration: the highest of the fluid [m/s, m/s²]
     StepPlan next(double speed, double acceleration);
-    /// Steps are so much of what they would be.
+    /// Multiplies later steps by this.
     void set_share(double share) { share_ = share, uneven_ = uneven_ || share != 1; }
-    /// Whether steps are not all alike.
+    /// Whether steps may differ in length.
     bool adaptive() const { return adaptive_ || uneven_; }
-    /// Of all materials, the fluids' first.
+    /// The limits of all materials, fluids first.
     const std::vector<CourantLimit>& limits() const { return limits_; }
 
     /// visit(name, member) for what changes during a run.
@@ -64,7 +64,7 @@ class StepPlanner {
     }
 
   private:
-    /// The smallest of those of a set; of all if it has none.
+    /// The smallest limit of a set; of all sets if it has none.
     double smallest_limit(SetId set) const;
     bool has(SetId set) const;
     void check(const Scene& scene) const;
@@ -73,7 +73,7 @@ class StepPlanner {
     bool adaptive_, multi_rate_;
     double stated_ = 0;  ///< the scene's own step; 0 = none [s]
     double last_ = 0;    ///< [s]
-    double share_ = 1;   ///< of the step that it would be
+    double share_ = 1;   ///< factor on the steps (set_share)
     bool uneven_ = false;
 };
 

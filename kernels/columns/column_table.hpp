@@ -1,4 +1,4 @@
-// What columns there are: names, units and how they are treated, from the one table (kernels/columns/columns.def).
+// The columns that particles can have, with names and units, from the one table (kernels/columns/columns.def).
 #pragma once
 
 #include <array>
@@ -13,14 +13,15 @@ enum class Column : std::uint8_t {
 #undef SLUICE_COLUMN
 };
 
-/// What a particle has of a column: real numbers, or one whole number of 64, 16 or 8 bits.
+/// What a column holds per particle: real numbers, or one whole number of 64, 16 or 8 bits.
 enum class Rank : std::uint8_t { scalar, vector, symmetric, full, id, number, flag };
 
-/// How a ghost has a column from its parent: the same; a place or a direction, reflected or shifted; not at all.
+/// How a ghost gets a column from its parent: the same value; reflected or shifted, as a place or as a direction; not
+/// at all.
 enum class Mirror : std::uint8_t { same, place, direction, none };
 
-/// Who sees a column: the engine alone; programs in C++ and Python; frames too.
-enum class Access : std::uint8_t { internal, open, frame };
+/// Who sees a column: the engine alone, or programs in C++ and Python too.
+enum class Access : std::uint8_t { internal, open };
 
 struct ColumnInfo {
     Column column;
@@ -40,7 +41,7 @@ inline constexpr std::size_t column_count = std::size(column_table);
 
 constexpr const ColumnInfo& info_of(Column c) { return column_table[static_cast<std::size_t>(c)]; }
 
-/// Numbers that a particle has of a column.
+/// The number of components of a column.
 template <int Dim>
 constexpr int components_of(Rank rank) {
     switch (rank) {
@@ -59,7 +60,7 @@ constexpr int components_of(Rank rank) {
     return 0;
 }
 
-/// Some of the columns.
+/// A set of columns.
 struct ColumnSet {
     std::uint64_t low = 0, high = 0;  ///< a bit for each column
 
@@ -79,7 +80,7 @@ struct ColumnSet {
 constexpr ColumnSet operator|(const ColumnSet& a, const ColumnSet& b) { return {a.low | b.low, a.high | b.high}; }
 static_assert(column_count <= 128, "a ColumnSet has two words");
 
-/// A column as a constant of its own type: column::velocity, for what is chosen when a loop is compiled.
+/// A column as a type: column::velocity, for choices made when a loop is compiled.
 template <Column C>
 struct ColumnTag {
     static constexpr Column column = C;

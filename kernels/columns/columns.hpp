@@ -1,4 +1,4 @@
-// The columns of a set of particles, as a member each. Those that nobody needs stay empty.
+// The columns of a set of particles, a member each. Columns that no effect needs stay empty.
 #pragma once
 
 #include <cstddef>
@@ -36,10 +36,10 @@ struct ColumnTypes<Dim, Rank::flag> {
 
 }  // namespace detail
 
-/// A column of Rank::number holds 0 … most_numbers − 1: so many bodies, and so many walls, can be told apart.
+/// A column of Rank::number holds 0 … most_numbers − 1: the most bodies, and the most walls, that a scene can have.
 inline constexpr std::size_t most_numbers = std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
 
-/// What holds a column of this rank: an Array of numbers, or a TupleField of as many as it has components.
+/// The container for a column of this rank: an Array, or a TupleField with an array per component.
 template <int Dim, Rank R>
 using FieldOf = typename detail::ColumnTypes<Dim, R>::Field;
 
@@ -49,7 +49,7 @@ struct Columns {
 #include "kernels/columns/columns.def"
 #undef SLUICE_COLUMN
 
-    /// The member of a column: columns[column::velocity] is columns.velocity.
+    /// The member by its tag: columns[column::velocity] is columns.velocity.
 #define SLUICE_COLUMN(name, ...)                                     \
     auto& operator[](ColumnTag<Column::name>) { return this->name; } \
     const auto& operator[](ColumnTag<Column::name>) const { return this->name; }
@@ -57,7 +57,7 @@ struct Columns {
 #undef SLUICE_COLUMN
 };
 
-/// visit(tag, field) for each column: ColumnTag<C> and its member.
+/// visit(tag, field) for each column: a ColumnTag<C>, and the member.
 template <class ColumnsOfDim, class Visit>
 void for_each_field(ColumnsOfDim& columns, Visit&& visit) {
 #define SLUICE_COLUMN(name, ...) visit(column::name, columns.name);
@@ -91,7 +91,7 @@ void for_each_array(ColumnsOfDim& columns, Visit&& visit) {
     });
 }
 
-/// Bytes that the columns hold.
+/// The memory of all columns, in bytes.
 template <int Dim>
 std::size_t bytes_of(const Columns<Dim>& columns) {
     std::size_t bytes = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/choices.hpp"
 #include "kernels/tensor.hpp"
 
 namespace sluice {
@@ -35,9 +36,7 @@ double volume_change(const Tensor<Dim>& h) {
         return h.trace() + cofactor(h).trace() + h.determinant();
 }
 
-enum class ElasticLaw { saint_venant_kirchhoff, neo_hookean };
-
-/// An isotropic elastic material [Bonet & Wood 2008, chapter 6]. Both laws are Hooke's at small strains.
+/// An isotropic elastic material [Bonet & Wood 2008, chapter 6]. All laws are Hooke's at small strains.
 ///
 /// St. Venant-Kirchhoff, with E = (FᵀF − I)/2, for small strains and any rotation: it softens under compression and
 /// does not resist being turned inside out.
@@ -68,18 +67,29 @@ struct Hyperelastic {
     template <int Dim>
     double energy_density(const Tensor<Dim>& f) const {
         const Tensor<Dim> h = f - Tensor<Dim>::Identity(), e = green_strain<Dim>(h);
-        // ln J from the strain too, not from J: ψ ~ |E|² then has the strain's digits, whatever the rotation.
-        if (law == ElasticLaw::neo_hookean)
-            return mu * e.trace() + volume_energy(volume_change<Dim>(h), 0.5 * std::log1p(volume_change<Dim>(2 * e)));
-        return 0.5 * lambda * e.trace() * e.trace() + mu * e.squaredNorm();
+        switch (law) {
+            case ElasticLaw::saint_venant_kirchhoff:
+                return 0.5 * lambda * e.trace() * e.trace() + mu * e.squaredNorm();
+            case ElasticLaw::neo_hookean:
+                // ln J from the strain too, not from J: ψ ~ |E|² then has the strain's digits, whatever the rotation.
+                return mu * e.trace() +
+                       volume_energy(volume_change<Dim>(h), 0.5 * std::log1p(volume_change<Dim>(2 * e)));
+        }
+        __builtin_unreachable();
     }
     /// P = ∂ψ/∂F [Pa]
     template <int Dim>
     Tensor<Dim> first_piola_stress(const Tensor<Dim>& f) const {
         const Tensor<Dim> h = f - Tensor<Dim>::Identity();
-        if (law == ElasticLaw::neo_hookean) return mu * f + volume_stress(volume_change<Dim>(h)) * cofactor(f);
-        const Tensor<Dim> e = green_strain<Dim>(h);
-        return f * (lambda * e.trace() * Tensor<Dim>::Identity() + 2 * mu * e);
+        switch (law) {
+            case ElasticLaw::saint_venant_kirchhoff: {
+                const Tensor<Dim> e = green_strain<Dim>(h);
+                return f * (lambda * e.trace() * Tensor<Dim>::Identity() + 2 * mu * e);
+            }
+            case ElasticLaw::neo_hookean:
+                return mu * f + volume_stress(volume_change<Dim>(h)) * cofactor(f);
+        }
+        __builtin_unreachable();
     }
 
   private:

@@ -1,4 +1,4 @@
-// What the loop over a block's pairs is given, and where it is found: once per instruction set and precision.
+// The interface of the loop over a block's pairs, which is compiled per instruction set and precision.
 #pragma once
 
 #include "kernels/choices.hpp"
@@ -9,7 +9,7 @@
 
 namespace sluice {
 
-/// How all pairs of a run are computed.
+/// How the pairs of a run are computed: precision and smoothing function.
 template <int Dim>
 struct PairMethod {
     Precision precision = Precision::full;
@@ -29,9 +29,13 @@ struct BlockTask {
 inline constexpr std::size_t block_particles = block_size * cluster_size;
 
 // A pass is a set of terms with their constants:
-//   dim; outputs, the numbers that it sums; reads_i, reads_j (kernels/pairs/particle_view.hpp); length, if not the mean;
-//   place, if distances are not those of `position`; always_full, if mixed precision will not do
-//   operator()(pair) → Vec<outputs, Real>
+//   dim
+//   outputs            how many numbers it sums
+//   reads_i, reads_j   columns (kernels/pairs/particle_view.hpp)
+//   length             if not the mean
+//   place              if distances are not those of `position`
+//   always_full        if mixed precision will not do
+//   operator()(pair)   returns Vec<outputs, Real>
 //
 // sum_block: sums[(cluster · outputs + k) · 4 + lane] = Σ_j pass(ij)[k] for the block's particles.
 #define SLUICE_DECLARE_LOOP(level)                                                                                  \
@@ -63,7 +67,7 @@ constexpr auto place_of() {
         return column::position;
 }
 
-/// A pass with `always_full` is computed in double whatever is asked for.
+/// Whether a pass is computed in double: with `always_full`, whatever is asked for.
 template <class Pass>
 constexpr bool is_full(Precision precision) {
     return requires { Pass::always_full; }

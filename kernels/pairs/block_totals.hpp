@@ -1,5 +1,5 @@
-// Sums over all particles of what a pass computes, block by block and then in the blocks' order: the same bits for any
-// number of threads.
+// Sums a pass's results over all particles, within blocks and then over blocks in order: the same bits for any number
+// of threads.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace sluice {
 
-/// Scratch of the passes that return a sum over all particles; kept by the caller, so that nothing is allocated.
+/// Scratch for passes that return a sum over all particles; kept by the caller, so that a step allocates nothing.
 template <int Dim>
 using BlockTotals = std::vector<Vec<Dim>>;
 

@@ -1,4 +1,4 @@
-// Passes over pairs that are packs of terms of the momentum equation.
+// Passes that sum terms of the momentum equation.
 #pragma once
 
 #include <type_traits>
@@ -9,7 +9,7 @@
 namespace sluice {
 
 /// Accelerations Σ_j m_j T_ij ∇_i W_ij. A term returns its share of T: a symmetric tensor, or a scalar that stands for
-/// a multiple of the unit tensor. Terms that a scene lacks are not in the pack.
+/// a multiple of the unit tensor. Terms that a scene does not call for are not in the pack.
 template <int Dim, class... Terms>
 struct MomentumTerms : Terms... {
     static constexpr int dim = Dim, outputs = Dim;

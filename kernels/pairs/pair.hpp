@@ -1,4 +1,4 @@
-// What a term sees: two particles, their separation and their smoothing function.
+// What a term sees of a pair: two particles, their separation and the smoothing function.
 #pragma once
 
 #include <limits>
@@ -30,7 +30,7 @@ template <int Dim, class Real>
     return r;
 }
 
-/// Whose smoothing length a pass takes: the pair's mean, or one side's where the other has none.
+/// Which smoothing length a pass uses: the pair's mean, or one side's where the other has none.
 enum class Length { mean, of_i, of_j };
 
 /// A directed pair: what j does to i. x_ij = x_i − x_j; the smoothing length is the pair's mean, h = (h_i + h_j)/2, so
@@ -52,7 +52,7 @@ struct Pair {
     Vector x_ij;
     Real r2;         ///< |x_ij|², kept off zero by the smallest number
     Real inverse_r;  ///< 1/|x_ij|; finite at 0, where q = 0 gives slope 0, and ∇W = 0 without a division by zero
-    Real h;          ///< mean smoothing length, or what the pass asks for (Length)
+    Real h;          ///< mean smoothing length, or the one that the pass asks for (Length)
     Real inverse_h;
     Real scale;        ///< σ/h^Dim
     Real slope_scale;  ///< σ/h^(Dim+1), with the smoothing function's own constant
@@ -72,7 +72,7 @@ struct Pair {
         return ((slope_scale * m_j()) * inverse_r) * smoothing.reduced_slope(q());
     }
 
-    /// What i, or j, has of a column that the term reads.
+    /// The value of a column that the term reads, of i or of j.
     template <Column C>
     SLUICE_GETTER auto i(ColumnTag<C>) const {
         return side_i.template get<C>();
@@ -82,7 +82,7 @@ struct Pair {
         return side_j.template get<C>();
     }
 
-    // The same by their symbols.
+    // The same, by symbol.
     SLUICE_GETTER Vector v_i() const { return i(column::velocity); }
     SLUICE_GETTER Vector v_j() const { return j(column::velocity); }
     SLUICE_GETTER Vector v_ij() const { return v_i() - v_j(); }

@@ -9,10 +9,10 @@
 
 namespace sluice {
 
-/// Below this many pairs of clusters, some ten microseconds of work, the calling thread does it alone.
+/// With fewer pairs of clusters than this, some ten microseconds of work, the calling thread works alone.
 inline constexpr std::uint64_t parallel_cluster_pairs = 256;
 
-/// The loop over a pass's pairs, for whoever watches.
+/// Describes the loop over a pass's pairs for profiles.
 template <class Pass>
 const Section& section_of(Precision precision) {
     static constexpr Section in_double{pass_name<Pass>, sizeof(double), counted::operations_per_lane<Pass>};
@@ -20,8 +20,8 @@ const Section& section_of(Precision precision) {
     return is_full<Pass>(precision) ? in_double : in_single;
 }
 
-/// Columns are counted as if each were read once, those that are written twice. Of others than the queries it is not
-/// known how many candidates there are: one that is near several blocks counts for each.
+/// Memory traffic: each column that is read counts once, each that is written twice. How many different candidates
+/// there are is known only if they are the queries; otherwise one that is near several blocks counts for each.
 template <class Pass>
 PairWork pair_work(const ParticleView<Pass::dim>& a, const ParticleView<Pass::dim>& b, const NeighborList& list) {
     constexpr int dim = Pass::dim;

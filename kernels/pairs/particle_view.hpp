@@ -1,4 +1,4 @@
-// Columns of particles, as the loops over pairs read them.
+// Read-only views of columns for the loops over pairs.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace sluice {
 
-/// A tuple field's components as raw pointers; a plain array's own pointer, null if it is empty.
+/// Pointers to the components of a tuple field; the pointer to a plain array, null if it is empty.
 template <int N>
 std::array<const double*, N> columns_of(const TupleField<N>& field) {
     std::array<const double*, N> p;
@@ -19,7 +19,7 @@ const T* columns_of(const Array<T>& column) {
     return column.empty() ? nullptr : column.data();
 }
 
-/// Read-only columns of a set of particles. A pass reads those that its terms name; the others may be null.
+/// The columns of a set of particles, read-only. A pass reads the columns that its terms name; the others may be null.
 template <int Dim>
 struct ParticleView {
     template <Rank R>
@@ -29,14 +29,14 @@ struct ParticleView {
 #include "kernels/columns/columns.def"
 #undef SLUICE_COLUMN
 
-#define SLUICE_COLUMN(name, ...)                                        \
+#define SLUICE_COLUMN(name, ...)                                     \
     auto& operator[](ColumnTag<Column::name>) { return this->name; } \
     const auto& operator[](ColumnTag<Column::name>) const { return this->name; }
 #include "kernels/columns/columns.def"
 #undef SLUICE_COLUMN
 };
 
-/// All columns; null where there is none.
+/// A view of all columns; null where a column is empty.
 template <int Dim>
 ParticleView<Dim> view_of(const Columns<Dim>& columns) {
     ParticleView<Dim> view;
@@ -44,7 +44,7 @@ ParticleView<Dim> view_of(const Columns<Dim>& columns) {
     return view;
 }
 
-/// One entry of a tuple of columns.
+/// Entry i of a tuple of columns.
 template <std::size_t N>
 [[gnu::always_inline]] inline Vec<static_cast<int>(N)> at(const std::array<const double*, N>& columns, std::size_t i) {
     Vec<static_cast<int>(N)> v;
@@ -52,9 +52,9 @@ template <std::size_t N>
     return v;
 }
 
-/// Where the gathered columns stand: the place, the smoothing length, then those of `Reads` in the order of the table.
+/// The slots of gathered columns: the place, the smoothing length, then those of `Reads` in the order of the table.
 /// Each term names what it reads in `reads_i` and `reads_j`; only the columns of a pack's terms are gathered. The place
-/// is the column between whose values distances are measured; its own slots come first whether it is named or not.
+/// is the column between whose values distances are measured; it has the first slots whether it is named or not.
 template <int Dim, ColumnSet Reads>
 struct Slots {
     static constexpr int smoothing_length = Dim;
@@ -74,7 +74,7 @@ struct Slots {
     }();
     using Pointers = std::array<const double*, static_cast<std::size_t>(count)>;
 
-    /// The columns, slot by slot.
+    /// Pointers to the columns of a view, slot by slot.
     template <Column Place>
     [[gnu::always_inline]] static Pointers of_view(const ParticleView<Dim>& view, ColumnTag<Place> place) {
         Pointers p{};

@@ -12,8 +12,8 @@ namespace sluice::SLUICE_ISA {
 /// Four particles, column by column. Positions are kept relative to an origin near the block, formed in double and then
 /// rounded: single precision stays accurate far from the scene's origin.
 ///
-/// Missing particles are copies of the first one, moved out of every support and without mass or volume: every term is
-/// zero there, and finite.
+/// Missing particles are copies of the first one, moved out of every support and without mass or volume: every term of
+/// theirs is finite and zero.
 template <int Dim, class Number, ColumnSet Reads>
 struct alignas(4 * sizeof(Number)) Four {
     using Slot = Slots<Dim, Reads>;
@@ -41,7 +41,7 @@ struct alignas(4 * sizeof(Number)) Four {
     }
 };
 
-/// A register's worth of one side's columns.
+/// One side's columns, a register of each.
 template <int Dim, class Real_, ColumnSet Reads>
 struct Side {
     using Real = Real_;
@@ -49,7 +49,7 @@ struct Side {
 
     Real value[Slot::count];
 
-    /// A number, or a vector or tensor of them.
+    /// The value of a column: a number, vector or tensor.
     template <Column C>
     SLUICE_INLINE auto get() const {
         static_assert(Reads.has(C), "a term reads a column that it does not name");

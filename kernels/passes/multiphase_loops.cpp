@@ -1,15 +1,15 @@
-// The loops over pairs across materials, compiled once per instruction set.
+// The loops over pairs of different materials, compiled once per instruction set.
 #include "kernels/passes/multiphase_loops.hpp"
 
 #include "kernels/pairs/block_loop_body.hpp"
 
 namespace sluice::SLUICE_ISA {
 
-#define SLUICE_INSTANTIATE(Dim, Number)                                                \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMomentum<Dim>)                           \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMorrisMomentum<Dim>)                     \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseDensityRate<Dim>)                        \
-    SLUICE_INSTANTIATE_PASS(Number, MultiphaseStressDivergence<Dim>)                   \
+#define SLUICE_INSTANTIATE(Dim, Number)                              \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMomentum<Dim>)         \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseMorrisMomentum<Dim>)   \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseDensityRate<Dim>)      \
+    SLUICE_INSTANTIATE_PASS(Number, MultiphaseStressDivergence<Dim>) \
     SLUICE_INSTANTIATE_PASS(Number, MultiphaseStressDivergence<Dim, ArtificialStress>)
 SLUICE_INSTANTIATE(2, double)
 SLUICE_INSTANTIATE(2, float)

@@ -1,4 +1,4 @@
-// Passes over pairs across materials, as sets of terms.
+// Passes over pairs of particles that may be of different materials, as sets of terms.
 #pragma once
 
 #include "kernels/pairs/momentum_terms.hpp"
@@ -46,7 +46,7 @@ struct MultiphaseDensityRate {
     }
 };
 
-/// The stress of joined solids with viscosity and, if a scene has it, artificial stress.
+/// Stress of joined solids, with viscosity and, if a scene has it, artificial stress.
 template <int Dim, class... More>
 using MultiphaseStressDivergence = MomentumTerms<Dim, VolumeStress, MultiphaseViscosity, More...>;
 template <int Dim, class... More>

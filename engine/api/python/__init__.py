@@ -1,4 +1,4 @@
-"""sluice in Python: scenes, simulations whose fields are NumPy arrays, and whole runs. engine/api/python/README.md has examples."""
+"""sluice in Python: scenes, simulations whose fields are NumPy arrays, and whole runs. engine/USING.md has examples."""
 import json as _json
 import os as _os
 from pathlib import Path as _Path

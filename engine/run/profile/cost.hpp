@@ -23,7 +23,7 @@ std::vector<StepPhase> phases_for(Effect effect);
 enum class CostBasis {
     switched,    ///< timed against the same scene with this effect the other way
     phases,      ///< the scene cannot do without it: the phases of the step that run for it, and all that runs in them
-    shared,      ///< nor can it here, but it runs within phases of others
+    shared,      ///< required too, but it has no phase of its own to time
     impossible,  ///< it has nothing to act on
     failed       ///< could be switched, but was not measured: `note` says why
 };

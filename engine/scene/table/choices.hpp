@@ -23,13 +23,32 @@ inline constexpr std::array words_of<PressureLaw>{
 
 /// How a solid's stress follows from its motion: by rates in the deformed body, as in the paper, or from its reference
 /// configuration (total Lagrangian).
-enum class SolidModel { hypoelastic, saint_venant_kirchhoff, neo_hookean };
+enum class SolidModel {
+    hypoelastic,
+#define SLUICE_ELASTIC_LAW(name, word) name,
+#include "kernels/elastic_laws.def"
+#undef SLUICE_ELASTIC_LAW
+};
 template <>
 inline constexpr std::array words_of<SolidModel>{
     Word{SolidModel::hypoelastic, "hypoelastic"},
-    Word{SolidModel::saint_venant_kirchhoff, "st-venant-kirchhoff"},
-    Word{SolidModel::neo_hookean, "neo-hookean"},
+#define SLUICE_ELASTIC_LAW(name, word) Word{SolidModel::name, word},
+#include "kernels/elastic_laws.def"
+#undef SLUICE_ELASTIC_LAW
 };
+/// The law of a total-Lagrangian model; none of the hypoelastic one.
+constexpr std::optional<ElasticLaw> elastic_law_of(SolidModel model) {
+    switch (model) {
+        case SolidModel::hypoelastic:
+            break;
+#define SLUICE_ELASTIC_LAW(name, word) \
+    case SolidModel::name:             \
+        return ElasticLaw::name;
+#include "kernels/elastic_laws.def"
+#undef SLUICE_ELASTIC_LAW
+    }
+    return std::nullopt;
+}
 
 enum class WallKind { mirror, fixed };
 template <>

@@ -43,14 +43,14 @@ void BoundaryCoupling<Dim>::forces() {
     const Vec<Dim> gravity = c_.state.gravity;
     const auto solid_view = view_of(boundary), fluid_view = view_of(fluid);
     for (auto& column : boundary.force.c) std::fill(column.begin(), column.end(), 0.0);
-    Vec<Dim> on_solid = boundary_reaction<Dim>(solid_view, fluid_view, of_boundary_, gravity, c_.method,
-                                               block_totals_, boundary.force);
+    Vec<Dim> on_solid =
+        boundary_reaction<Dim>(solid_view, fluid_view, of_boundary_, gravity, c_.method, block_totals_, boundary.force);
     boundary_reaction<Dim>(solid_view, fluid_view, ghosts_of_boundary_, gravity, c_.method, block_totals_,
                            boundary.force);
-    Vec<Dim> on_fluid = boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, of_fluid_, gravity,
-                                                        c_.method, block_totals_, fluid.acceleration);
-    boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, ghosts_of_fluid_, gravity, c_.method,
-                                    block_totals_, fluid.acceleration);
+    Vec<Dim> on_fluid = boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, of_fluid_, gravity, c_.method,
+                                                        block_totals_, fluid.acceleration);
+    boundary_pressure_on_fluid<Dim>(fluid_view, solid_view, ghosts_of_fluid_, gravity, c_.method, block_totals_,
+                                    fluid.acceleration);
     if (c_.has(Effect::no_slip_solid)) friction(on_solid, on_fluid);
     hand_over();
     record_balance(on_solid, on_fluid);
@@ -64,18 +64,17 @@ void BoundaryCoupling<Dim>::friction(Vec<Dim>& on_solid, Vec<Dim>& on_fluid) {
     const double viscosity = c_.state.fluid_materials.front().viscosity;
     parallel_for(boundary.owned, [&](std::size_t i) { boundary.ghost_velocity.set(i, boundary.velocity[i]); });
     const auto fluid_view = view_of(fluid);
-    // Images of the fluid at a mirror wall move along with it: the mean over the fluid alone has the same tangent.
-    boundary_ghost_velocity<Dim>(view_of(boundary), fluid_view, of_boundary_, c_.method,
-                                 boundary.ghost_velocity);
+    // Ghosts of the fluid behind a mirror wall have the same tangential velocity: so has the mean over the fluid alone.
+    boundary_ghost_velocity<Dim>(view_of(boundary), fluid_view, of_boundary_, c_.method, boundary.ghost_velocity);
     c_.state.boundary.refresh_ghosts(column::ghost_velocity);
     ParticleView<Dim> ghosts = view_of(boundary);
     ghosts.velocity = columns_of(boundary.ghost_velocity);
-    on_solid += boundary_friction_reaction<Dim>(ghosts, fluid_view, of_boundary_, viscosity, c_.method,
-                                                block_totals_, boundary.force);
+    on_solid += boundary_friction_reaction<Dim>(ghosts, fluid_view, of_boundary_, viscosity, c_.method, block_totals_,
+                                                boundary.force);
     boundary_friction_reaction<Dim>(ghosts, fluid_view, ghosts_of_boundary_, viscosity, c_.method, block_totals_,
                                     boundary.force);
-    on_fluid += boundary_friction<Dim>(fluid_view, ghosts, of_fluid_, viscosity, c_.method, block_totals_,
-                                       fluid.acceleration);
+    on_fluid +=
+        boundary_friction<Dim>(fluid_view, ghosts, of_fluid_, viscosity, c_.method, block_totals_, fluid.acceleration);
     boundary_friction<Dim>(fluid_view, ghosts, ghosts_of_fluid_, viscosity, c_.method, block_totals_,
                            fluid.acceleration);
     count_pairs({&of_boundary_, &of_boundary_, &ghosts_of_boundary_, &of_fluid_, &ghosts_of_fluid_});
@@ -113,7 +112,8 @@ void BoundaryCoupling<Dim>::follow_acceleration() {
     const auto& index_of_id = c_.neighbors.solid_index_of_id();
     const bool relaxes = relaxes_;
     parallel_for(boundary.owned, [&](std::size_t i) {
-        const Vec<Dim> a_s = solid.mean_acceleration[index_of_id[boundary.solid_id[i]]], last = boundary.mean_acceleration[i];
+        const Vec<Dim> a_s = solid.mean_acceleration[index_of_id[boundary.solid_id[i]]],
+                       last = boundary.mean_acceleration[i];
         const double beta = relaxes ? relaxation_[boundary.body[i]] : 1;
         boundary.mean_acceleration.set(i, beta < 1 ? last + beta * (a_s - last) : a_s);
     });
@@ -130,7 +130,7 @@ void BoundaryCoupling<Dim>::hand_over() {
     });
 }
 
-/// Images of the fluid belong to the mirror walls, and so do those of the boundary: neither counts.
+/// Ghosts of the fluid and of the boundary belong to mirror walls, and do not count.
 template <int Dim>
 void BoundaryCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<Dim>& on_fluid) {
     const auto& boundary = c_.state.boundary;

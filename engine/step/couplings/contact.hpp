@@ -15,17 +15,17 @@ namespace sluice {
 /// closer than touching), so steps are stable up to 0.92 h/c instead of 0.94 at the worst. At 2 it would be 6 to 15 %.
 inline constexpr double contact_stiffness = 1;
 
-/// Total-Lagrangian solids meet each other, unless they are joined (engine/particles/joined_bodies.hpp); any solid meets
-/// walls. What starts closer than touching has its own place as the threshold: no particle feels a force at the start.
-/// A particle that starts behind a mirror plane never feels it. Walls that move push, too; as they take whole steps,
-/// the solid's own steps see them where they were at the last.
+/// Total-Lagrangian solids meet each other, unless they are joined (engine/particles/joined_bodies.hpp); any solid
+/// meets walls. A particle that starts closer than touching uses its initial σ, or its distance from a plane, as
+/// threshold, so the initial force is zero. A particle that starts behind a mirror plane never feels it. Moving walls
+/// push too; as they take whole steps, the solid's own steps see them where they were at the end of the last one.
 template <int Dim>
 class SolidContact final : public Coupling<Dim> {
   public:
     explicit SolidContact(StepContext<Dim>& context);
 
     void start() override;
-    /// Walls have moved.
+    /// Notes that walls have moved.
     void rates() override { search_.add_motion(c_.motion.wall); }
     void solid_has_moved(double distance) override { search_.add_motion(distance); }
     void push_solid(const PartRange& part) override;
@@ -42,7 +42,7 @@ class SolidContact final : public Coupling<Dim> {
     using Particles = ContactParticles<Dim>;
 
     void set_thresholds();
-    /// Copies follow their particles, and have no σ and no force yet.
+    /// Moves copies to their particles, and sets their σ and force to zero.
     void refresh(Particles& p);
     using Bodies = BodyContact<Dim>;
 
@@ -55,21 +55,21 @@ class SolidContact final : public Coupling<Dim> {
     /// p = k (σ − threshold)₊ with k = stiffness(i). Returns whether there is any pressure.
     template <class Stiffness>
     bool set_pressure(Particles& p, const ScalarField& threshold, Stiffness&& stiffness);
-    /// k of a solid particle against walls [Pa]
+    /// The k of a solid particle against walls. [Pa]
     double wall_stiffness(std::size_t i) const;
-    /// Of the particles in this range.
+    /// Adds the forces on copies to the acceleration of their particles in this range.
     void accelerate(const Particles& p, const PartRange& part);
-    /// (z_0 − z)₊ of a particle [m]
+    /// (z_0 − z)₊ of a particle. [m]
     double depth(std::size_t plane, std::size_t i) const;
-    /// The force on it over (z_0 − z)₊. [N/m; N/m² in 2D]
+    /// The force on a particle over (z_0 − z)₊. [N/m; N/m² in 2D]
     double plane_stiffness(std::size_t i) const;
 
     StepContext<Dim>& c_;
     ContactSearch<Dim> search_;
     FlatContact flat_;
-    std::vector<ScalarField> body_threshold_;      ///< of σ for each of the search's contacts, by id
-    ScalarField wall_threshold_;                   ///< of σ, by id
-    std::vector<ScalarField> plane_threshold_;     ///< z_0 for each plane, by id [m]
+    std::vector<ScalarField> body_threshold_;   ///< of σ for each of the search's contacts, by id
+    ScalarField wall_threshold_;                ///< of σ, by id
+    std::vector<ScalarField> plane_threshold_;  ///< z_0 for each plane, by id [m]
 };
 
 extern template class SolidContact<2>;

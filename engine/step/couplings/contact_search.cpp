@@ -119,8 +119,8 @@ void ContactSearch<Dim>::find_moduli() {
     for (const Array<Index>& members : members_) {
         modulus_.push_back(std::numeric_limits<double>::infinity());
         for (const Index i : members)
-            modulus_.back() = std::min(
-                modulus_.back(), state_.solid_materials.of_body(state_.solid.body[i]).law.wave_modulus());
+            modulus_.back() =
+                std::min(modulus_.back(), state_.solid_materials.of_body(state_.solid.body[i]).law.wave_modulus());
     }
     std::vector<double> found;
     for (std::size_t a = 0; a < members_.size(); ++a)
@@ -176,7 +176,7 @@ void ContactSearch<Dim>::list_contact(const std::vector<Box<Dim>>& box,
     }
     particles.finish();
     const CutOff cut{skin_, 0.5 * support_, 0.5 * support_};
-    // Targets of their own: particles are not among their own candidates, as they would be within one set.
+    // Targets are a set of their own, so that particles are not among their own candidates.
     const VectorField<Dim> places = particles.position;
     const Set queries{particles.position, particles.smoothing_length}, others{places, particles.smoothing_length};
     for (std::size_t g = 0; g < groups; ++g) {
@@ -234,8 +234,7 @@ void ContactSearch<Dim>::list_planes() {
 
 template <int Dim>
 std::size_t ContactSearch<Dim>::bytes() const {
-    std::size_t sum =
-        at_walls.bytes() + wall_list.bytes() + at_wall_grid_.bytes() + wall_grid_.bytes();
+    std::size_t sum = at_walls.bytes() + wall_list.bytes() + at_wall_grid_.bytes() + wall_grid_.bytes();
     for (const BodyContact<Dim>& contact : bodies) {
         sum += contact.particles.bytes();
         for (const NeighborList& list : contact.lists) sum += list.bytes();

@@ -6,7 +6,7 @@
 
 namespace sluice {
 
-// Between an element and a particle: the particle's support.
+// The cut-off between an element and a particle is the particle's support.
 template <int Dim>
 InterfaceCoupling<Dim>::InterfaceCoupling(StepContext<Dim>& context)
     : c_(context),
@@ -16,7 +16,7 @@ InterfaceCoupling<Dim>::InterfaceCoupling(StepContext<Dim>& context)
       elements_at_fluid_(with_elements(SetId::fluid, Targets::own)),
       element_ghosts_at_fluid_(with_elements(SetId::fluid, Targets::ghosts)),
       elements_at_solid_(with_elements(SetId::solid, Targets::own)) {
-    // A hyperelastic solid keeps its order and its lists; its grid must follow it all the same.
+    // A hyperelastic solid keeps its order and its lists, but its grid must follow its motion.
     if (!c_.state.hyperelastic.empty()) c_.neighbors.place_before(SetId::solid, [] {});
     c_.neighbors.place_before(SetId::elements, [this] {
         c_.state.surface.update(c_.state.solid.position, c_.neighbors.solid_index_of_id(), c_.state.elements);
@@ -39,8 +39,8 @@ void InterfaceCoupling<Dim>::forces() {
     const Vec<Dim> on_solid = force_solid();
     auto& fluid = c_.state.fluid;
     const auto elements = view_of(c_.state.elements);
-    const Vec<Dim> on_fluid = add_interface_force_on_fluid<Dim>(view_of(fluid), elements, elements_at_fluid_,
-                                                                c_.method, block_totals_, fluid.acceleration);
+    const Vec<Dim> on_fluid = add_interface_force_on_fluid<Dim>(view_of(fluid), elements, elements_at_fluid_, c_.method,
+                                                                block_totals_, fluid.acceleration);
     add_interface_force_on_fluid<Dim>(view_of(fluid), elements, element_ghosts_at_fluid_, c_.method, block_totals_,
                                       fluid.acceleration);
     record_balance(on_solid, on_fluid);
@@ -69,8 +69,8 @@ Vec<Dim> InterfaceCoupling<Dim>::force_solid() {
                                          solid.interface_acceleration);
 }
 
-/// What fluid and solid give each other must add up to nothing, but for what images of the fluid, that is the mirror
-/// walls, give to the solid.
+/// The forces between fluid and solid must add up to zero, except for those of the fluid's ghosts, that is the mirror
+/// walls, on the solid.
 template <int Dim>
 void InterfaceCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<Dim>& on_fluid) {
     const auto& e = c_.state.elements;
@@ -86,7 +86,7 @@ void InterfaceCoupling<Dim>::record_balance(const Vec<Dim>& on_solid, const Vec<
 template <int Dim>
 void InterfaceCoupling<Dim>::rates() {
     const auto scope = c_.timer.measure(StepPhase::interface_pass);
-    // The solid half-way through the step, as the kinematic condition sees it.
+    // The kinematic condition sees the solid half-way through the step.
     ParticleView<Dim> halfway = view_of(c_.state.solid);
     halfway.position = columns_of(c_.state.solid.halfway_position);
     halfway.velocity = columns_of(c_.state.solid.mean_velocity);

@@ -1,4 +1,4 @@
-// The couplings that a scene calls for.
+// Makes the couplings that a scene calls for.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace sluice {
 
-/// In the order in which the stages of a step go through them.
+/// Returns them in the order in which each stage of a step calls them.
 template <int Dim>
 std::vector<std::unique_ptr<Coupling<Dim>>> make_couplings(StepContext<Dim>& context);
 

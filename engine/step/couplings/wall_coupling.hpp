@@ -1,4 +1,4 @@
-// Fluid at rigid walls: the walls' particles push with a pressure that is taken from the fluid in front of them.
+// Couples fluid and rigid walls: wall particles push with a pressure extrapolated from the fluid in front of them.
 #pragma once
 
 #include <vector>
@@ -14,16 +14,16 @@ class WallCoupling final : public Coupling<Dim> {
   public:
     explicit WallCoupling(StepContext<Dim>& context);
 
-    /// The walls' share of the fluid's dρ/dt.
+    /// Adds the walls' share of the fluid's dρ/dt.
     void rates() override;
-    /// The walls' pressure, and what it does to the fluid.
+    /// Computes the walls' pressure and its force on the fluid.
     void forces() override;
 
   private:
     void friction();
 
     StepContext<Dim>& c_;
-    const NeighborList &of_fluid_, &of_walls_;  ///< walls near the fluid's particles; fluid near the walls'
+    const NeighborList &of_fluid_, &of_walls_;  ///< wall particles near fluid particles, and the reverse
     std::vector<Vec<Dim>> effective_gravity_;   ///< by the walls' numbers
     BlockTotals<Dim> block_totals_;
 };

@@ -16,9 +16,9 @@ Point point_of(const Vec<Dim>& x) {
     return p;
 }
 
-/// How far in front of x, in the direction `ahead`, a clamp's surface is; negative if x lies outside and the surface is
-/// behind it. Looked for over `reach` on either side; if a clamp holds all of that, which belongs to another body then,
-/// half-way to what is ahead.
+/// The distance from x to a clamp's surface in the direction `ahead`; negative if x lies outside and the surface is
+/// behind it. Searches over `reach` on either side; if a clamp holds all of that, as that of another body may, the
+/// result is half-way to what is ahead.
 template <int Dim>
 std::optional<double> depth_below_surface(const Shape& clamp, const Vec<Dim>& x, const Vec<Dim>& ahead, double reach) {
     const auto holds = [&](double t) { return clamp.contains(point_of(x + t * ahead)); };
@@ -33,7 +33,7 @@ std::optional<double> depth_below_surface(const Shape& clamp, const Vec<Dim>& x,
     return 0.5 * (inside + outside);
 }
 
-/// How much of a particle's cell, a cube of this side around x, lies outside a clamp.
+/// The fraction of a particle's cell, a cube of this side around x, that lies outside a clamp.
 template <int Dim>
 double share_outside(const Shape& clamp, const Vec<Dim>& x, double side) {
     const auto share = [&](int per_side, double reach) {  // of points spread evenly over a cube of side 2 reach
@@ -54,7 +54,7 @@ double share_outside(const Shape& clamp, const Vec<Dim>& x, double side) {
     return share(fine, 0.5 * side);
 }
 
-/// The place in `among` of the particle nearest to x of those at least `least` away from `from`.
+/// The place in `among` of the particle nearest to x, of those at least `least` away from `from`.
 template <int Dim>
 std::optional<Index> nearest(const VectorField<Dim>& position, const Array<Index>& among, const Vec<Dim>& x,
                              const Vec<Dim>& from, double least) {

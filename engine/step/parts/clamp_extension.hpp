@@ -1,4 +1,4 @@
-// What the neighbours of a clamp see of it: the displacement goes on behind the clamp's surface as its mirror image.
+// How a clamp looks to its neighbours: behind the clamp's surface the displacement continues as its mirror image.
 //
 // A clamp holds the solid at a surface, u = 0 there, and whatever lies behind is rigid. Strain is not: it ends at the
 // surface with a jump. A gradient summed over free and held particles alike sees half of it on either side, and energy,
@@ -12,14 +12,14 @@
 //
 // What is behind the surface has no energy. Where the surface cuts particles' cells, as an arc must, each has that
 // share of its energy which its cell has outside the clamp, be its centre held or not: ψ and k of
-// kernels/passes/total_lagrangian_passes.hpp times `elastic_share`. And all whose cells are cut follow, those with their
-// centre outside by s_b < 0, as u = s_b/s_j u_j. That keeps a bar under uniform strain in balance, which decides the
-// order: with whole cells, or with cut ones that move by themselves, a bar acts as if it were up to a spacing, or 0.7
-// of it, longer than it is; so 0.04 at the most (one dimension, h = 1.2 d, surface anywhere between two particles).
+// kernels/passes/total_lagrangian_passes.hpp times `elastic_share`. And all whose cells are cut follow, those with
+// their centre outside by s_b < 0, as u = s_b/s_j u_j. That keeps a bar under uniform strain in balance, which decides
+// the order: with whole cells, or with cut ones that move by themselves, a bar acts as if it were up to a spacing, or
+// 0.7 of it, longer than it is; so 0.04 at the most (one dimension, h = 1.2 d, surface anywhere between two particles).
 //
 // Particles whose share is 0 are rigid: L = 0 and k = 0, so that F = I and T = 0. What is left of the energy (b) of
-// kernels/passes/total_lagrangian_passes.hpp depends on free particles only, directly and by way of those that follow, so that
-// a force f_b on one of these is one of −r f_b on its j: f_j = −∂U/∂x_j, and energy is kept.
+// kernels/passes/total_lagrangian_passes.hpp depends on free particles only, directly and by way of those that follow,
+// so that a force f_b on one of these is one of −r f_b on its j: f_j = −∂U/∂x_j, and energy is kept.
 //
 // Held as before, u = 0, are particles that have free ones on both sides of them, as in a body clamped in its middle
 // only.
@@ -42,17 +42,17 @@ class ClampExtension {
     /// one's neighbours in the reference configuration, `support` [m] is how far they reach.
     ClampExtension(const Scene& scene, ParticleSet<Dim>& solid, const NeighborList& list, double support);
 
-    /// Which held particles have no energy: 1 for each of them.
+    /// Marks the held particles that have no energy: 1 for each of them.
     std::span<const std::uint8_t> rigid() const { return rigid_; }
-    /// Which of them follow free ones: 1 for each of them.
+    /// Marks the held particles that follow free ones: 1 for each of them.
     std::span<const std::uint8_t> extended() const { return extended_; }
     bool empty() const { return pair_.empty(); }
 
-    /// elastic_share of each particle, k times that, and L = 0 for rigid ones.
+    /// Sets elastic_share of each particle, multiplies k by it, and sets L = 0 for rigid ones.
     void share_energy(ParticleSet<Dim>& solid) const;
     /// Moves extended particles to where the mirror image of the displacement, and of the velocity, puts them.
     void displace(ParticleSet<Dim>& solid) const;
-    /// Gives their acceleration's force to those that they follow, and puts them back.
+    /// Passes the force on extended particles to those that they follow, and puts them back.
     void hand_over(ParticleSet<Dim>& solid) const;
     void put_back(ParticleSet<Dim>& solid) const;
 

@@ -147,8 +147,8 @@ void FluidPart<Dim>::rates() {
     std::fill(fluid.density_rate.begin(), fluid.density_rate.end(), 0.0);
     if (c_.has(Effect::several_fluids)) {
         update_excess_density();
-        c_.pairs += multiphase_continuity<Dim>(view_of(fluid), list_, diffusion_.coefficient, c_.method,
-                                               fluid.density_rate);
+        c_.pairs +=
+            multiphase_continuity<Dim>(view_of(fluid), list_, diffusion_.coefficient, c_.method, fluid.density_rate);
         return;
     }
     if (!c_.has(Effect::density_diffusion)) {
@@ -166,11 +166,11 @@ void FluidPart<Dim>::rates() {
     c_.pairs += diffusive_continuity<Dim>(view, list_, diffusion_, c_.method, fluid.density_rate);
 }
 
-/// A ghost carries that of the particle which it shows: at a mirror the difference of heights would be wrong.
+/// A ghost has its parent's value: across a mirror the difference of heights would be wrong.
 template <int Dim>
 void FluidPart<Dim>::update_excess_density() {
     auto& fluid = c_.state.fluid;
-    // Density over height at rest, over ρ0/c0²; none along an axis along which nothing rests.
+    // Slope of the density at rest, over ρ0/c0²; none along a periodic axis, where nothing rests.
     Vec<Dim> per_height = c_.has(Effect::excess_density) ? c_.state.gravity : Vec<Dim>{};
     for (int k = 0; k < Dim; ++k)
         if (c_.scene.periodic[static_cast<std::size_t>(k)]) per_height[k] = 0;

@@ -1,4 +1,4 @@
-// The fluid's part of a step.
+// The fluid as a part of a step.
 #pragma once
 
 #include <vector>
@@ -39,20 +39,20 @@ class FluidPart final : public Part<Dim> {
         visit("max_speed", c_.flow.highest), visit("speed", c_.flow.now), visit("acceleration", c_.flow.acceleration);
         visit("shifting", shifting_), visit("last_dt", last_dt_);
     }
-    /// v += a · interval [s]. Notes the highest acceleration if steps adapt to it.
+    /// v += a · interval [s]. Records the highest acceleration if steps adapt to it.
     void kick(double interval);
-    /// Eq. (16), for as many steps of the single-rate scheme as the step replaces.
+    /// Eq. (16), as often as the single-rate steps that this step replaces would apply it.
     void filter();
-    /// x += v Δt/2, with the filter's correction of the velocity first, in one go through memory.
+    /// Adds the filter's correction to v, then x += v Δt/2, in one pass through memory.
     void drift_halfway();
-    /// What Fourtakas' diffusion evens out.
+    /// The density less its hydrostatic part, which Fourtakas' diffusion evens out.
     void update_excess_density();
-    /// p and p/ρ² from the density.
+    /// Computes p and p/ρ² from the density.
     void update_pressure();
     /// x += v Δt/2, ρ += dρ/dt Δt, then p and p/ρ². With acoustic damping α the pressure has the part of a bulk
-    /// viscosity ζ = α ρ c0 h [Sun et al. 2023], −ζ ∇·v = α c0 h dρ/dt: sound fades with the rate α c0 h k²/2, shear
+    /// viscosity ζ = α ρ c0 h [Sun et al. 2023], −ζ ∇·v = α c0 h dρ/dt: sound decays at the rate α c0 h k²/2, shear
     /// does not, and no pass over pairs is needed. A particle that slipped through a mirror plane changes places with
-    /// its ghost, which is the same state. Returns the highest speed [m/s]; NaN if a velocity is not finite.
+    /// its ghost, which has the same state. Returns the highest speed [m/s]; NaN if a velocity is not finite.
     double drift_to_end();
 
     StepContext<Dim>& c_;
@@ -61,7 +61,7 @@ class FluidPart final : public Part<Dim> {
     FluidTerms terms_;
     DiffusionTerms<Dim> diffusion_;
     double acoustic_damping_ = 0;  ///< α
-    double last_dt_ = 0;           ///< of the step before [s]
+    double last_dt_ = 0;           ///< of the previous step [s]
 };
 
 extern template class FluidPart<2>;

@@ -13,7 +13,7 @@
 namespace sluice {
 namespace {
 
-/// Up to here the steps that viscosity takes away are less than what the usual Courant number leaves.
+/// Up to this α the usual Courant number leaves enough room for what viscosity takes from the step.
 constexpr double modest_viscosity = 0.1;
 
 /// How much shorter the step of a total-Lagrangian solid must be with artificial viscosity α, whose forces lag by half
@@ -41,8 +41,8 @@ HyperelasticSolid<Dim>::HyperelasticSolid(StepContext<Dim>& context)
     const MaterialConstants& material = c_.state.solid_materials.front();
     const double alpha = c_.has(Effect::solid_viscosity) ? c_.scene.method.solid.artificial_viscosity : 0.0;
     viscosity_ = {alpha, material.eos.sound_speed, material.eos.density, c_.has(Effect::several_solids)};
-    laws_ = c_.state.solid_materials.by_body(
-        c_.scene.bodies.size(), [](const MaterialConstants& of) { return of.law; });
+    laws_ =
+        c_.state.solid_materials.by_body(c_.scene.bodies.size(), [](const MaterialConstants& of) { return of.law; });
     if (c_.has(Effect::clamp)) moving_ = &c_.neighbors.derive(all_, "moving");
 }
 
@@ -50,7 +50,7 @@ template <int Dim>
 void HyperelasticSolid<Dim>::start() {
     auto& solid = c_.state.solid;
     const double control = c_.has(Effect::hourglass_control) ? c_.scene.method.solid.hourglass_control : 0.0;
-    std::vector<double> stiffness;  // as laws_
+    std::vector<double> stiffness;  // one, or one per body, as laws_
     for (const Hyperelastic& law : laws_) stiffness.push_back(control * 2 * law.mu);
     elastic_correction<Dim>(view_of(solid), all_.list, stiffness, c_.method, solid.gradient_correction,
                             solid.hourglass_stiffness);
@@ -80,7 +80,7 @@ void HyperelasticSolid<Dim>::limit_step(std::vector<CourantLimit>& limits) const
             if (c_.state.solid_materials.of_body(solid.body[i]).number == material.number)
                 h = std::min(h, solid.smoothing_length[i]);
         if (!std::isfinite(h)) continue;  // of solids of another model
-        // Nothing holds the fastest waves back, as the hypoelastic solid's viscosity does.
+        // Nothing damps the fastest waves, as viscosity does in the hypoelastic solid.
         const double fastest = std::sqrt(material.law.wave_modulus() / material.eos.density);
         const double dt = fastest_mode_ > 0 ? stable_step() : 1.0 * c_.scene.method.courant * h / fastest;
         limits.push_back({SetId::solid, c_.scene.materials[material.number].name, dt, h, fastest, 0});
@@ -215,7 +215,8 @@ double HyperelasticSolid<Dim>::find_fastest_mode() {
         parallel_for(n, [&](std::size_t n_th) {
             const std::size_t i = first + n_th;
             const double scale = solid.clamped[i] ? 0.0 : -std::sqrt(solid.mass[i]) / amplitude;
-            for (int k = 0; k < Dim; ++k) y[Dim * n_th + static_cast<std::size_t>(k)] = scale * solid.acceleration[i][k];
+            for (int k = 0; k < Dim; ++k)
+                y[Dim * n_th + static_cast<std::size_t>(k)] = scale * solid.acceleration[i][k];
         });
     });
     solid.position = start;
@@ -242,7 +243,8 @@ double HyperelasticSolid<Dim>::find_fastest_damping() {
         parallel_for(n, [&](std::size_t n_th) {
             const std::size_t i = first + n_th;
             const double scale = solid.clamped[i] ? 0.0 : -sign * std::sqrt(solid.mass[i]);
-            for (int k = 0; k < Dim; ++k) y[Dim * n_th + static_cast<std::size_t>(k)] += scale * solid.acceleration[i][k];
+            for (int k = 0; k < Dim; ++k)
+                y[Dim * n_th + static_cast<std::size_t>(k)] += scale * solid.acceleration[i][k];
         });
     };
     const double fastest = largest_eigenvalue(Dim * n, [&](std::span<const double> x, std::span<double> y) {

@@ -1,5 +1,4 @@
-// An elastic solid in its reference configuration, total Lagrangian: its own steps within a step
-// (kernels/passes/total_lagrangian_passes.hpp).
+// The total-Lagrangian solid (kernels/passes/total_lagrangian_passes.hpp), with steps of its own within a step.
 #pragma once
 
 #include "engine/step/parts/clamp_extension.hpp"
@@ -8,9 +7,9 @@
 
 namespace sluice {
 
-/// A step of its own goes by kick, drift and kick under stress, contact and gravity: symplectic, so that the energy
-/// neither grows nor fades. Of the fluid's force only what is steady is in it (engine/step/parts/steady_load.hpp); the rest
-/// comes before and after as an impulse.
+/// A step of its own is kick, drift, kick under stress, contact and gravity: symplectic, so that energy neither grows
+/// nor decays. It includes only the steady part of the fluid's force (engine/step/parts/steady_load.hpp); the rest acts
+/// as an impulse before and after all of them.
 template <int Dim>
 class HyperelasticSolid final : public SolidPart<Dim> {
   public:
@@ -34,25 +33,25 @@ class HyperelasticSolid final : public SolidPart<Dim> {
     double drift();
     /// v += interval · (interface acceleration − steady acceleration); the steady part acts in move(). interval in s.
     void push(double interval);
-    /// F and T where they may change, and the acceleration by stress and contact.
+    /// Computes F and T where they may change, and the acceleration by stress and contact.
     void update_stress();
-    /// F and T where they may change, and the acceleration by stress. Returns the pairs that it took.
+    /// Computes F and T where they may change, and the acceleration by stress. Returns the number of pairs.
     std::uint64_t elastic_forces(const ElasticViscosity& viscosity);
-    /// The highest angular frequency of all its small motions about its reference configuration, at most 1 % too low; 0
-    /// if nothing can move. [1/s] By some dozens of force evaluations.
+    /// The highest angular frequency of small motions about the reference configuration, at most 1 % too low; 0 if
+    /// nothing can move. [1/s] Takes some dozens of force evaluations.
     double find_fastest_mode();
-    /// The highest rate at which artificial viscosity would damp a motion if it acted on all pairs. [1/s]
+    /// The highest rate at which artificial viscosity, acting on all pairs, would damp a motion. [1/s]
     double find_fastest_damping();
-    /// ρ = ρ0/det F, which the fluid sees; at the most that of Hyperelastic::expansion_volume.
+    /// Sets the density that the fluid sees, ρ0/det F; at most that at Hyperelastic::expansion_volume.
     void update_density();
-    /// What the hourglass control holds. [J; J/m in 2D]
+    /// The energy of the hourglass control. [J; J/m in 2D]
     double hourglass_energy() const;
-    /// courant · 2/ω of the fastest mode, with artificial viscosity or contact less. [s]
+    /// courant · 2/ω of the fastest mode, less with artificial viscosity or contact. [s]
     double stable_step() const;
 
     StepContext<Dim>& c_;
-    Pairing& all_;                ///< without the rows of those whose stress never changes
-    Pairing* moving_ = nullptr;  ///< the rows whose forces are asked for; null: all
+    Pairing& all_;                    ///< without the rows of particles whose stress never changes
+    Pairing* moving_ = nullptr;       ///< the rows whose forces are needed; null: all
     std::vector<Hyperelastic> laws_;  ///< one, or one for each body of the scene
     ElasticViscosity viscosity_;
     ClampExtension<Dim> behind_clamp_;

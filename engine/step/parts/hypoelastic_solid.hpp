@@ -1,4 +1,4 @@
-// The solid of the paper, hypoelastic and updated-Lagrangian: its own steps within a step.
+// The paper's hypoelastic solid, in the deformed configuration, with steps of its own within a step.
 #pragma once
 
 #include "engine/step/parts/solid_part.hpp"
@@ -6,8 +6,8 @@
 
 namespace sluice {
 
-/// A step of its own is that of the staggered explicit Euler scheme of the paper: velocities at n ± 1/2, everything else
-/// at n; rates of density and stress are taken half-way.
+/// A step of its own is one of the paper's staggered explicit Euler scheme: velocities at n ± 1/2, everything else at
+/// n; rates of density and stress are computed half-way.
 template <int Dim>
 class HypoelasticSolid final : public SolidPart<Dim> {
   public:
@@ -26,7 +26,7 @@ class HypoelasticSolid final : public SolidPart<Dim> {
   private:
     const PartRange& part() const { return c_.state.hypoelastic; }
     double dt() const { return c_.plan.dt / c_.plan.substeps; }
-    /// The rows whose forces are asked for.
+    /// The rows whose forces are needed.
     const NeighborList& moving() const { return moving_ ? moving_->list : all_.list; }
     void forces();
     void kick();
@@ -36,10 +36,10 @@ class HypoelasticSolid final : public SolidPart<Dim> {
     double drift_to_end();
 
     StepContext<Dim>& c_;
-    Pairing& all_;                ///< without the rows of those whose stress never changes
+    Pairing& all_;               ///< without the rows of particles whose stress never changes
     Pairing* moving_ = nullptr;  ///< null: all are moving
     SolidTerms terms_;
-    double last_dt_ = 0;  ///< of its step before: velocities stand half of it behind; at first they stand at 0
+    double last_dt_ = 0;  ///< of its previous step, half of which the velocities are behind; 0 at the start
 };
 
 extern template class HypoelasticSolid<2>;

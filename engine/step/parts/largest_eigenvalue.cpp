@@ -15,7 +15,7 @@ double dot_of(const Vector& a, const Vector& b) {
     return ordered_sum<double>(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
 }
 
-/// A vector without symmetry, so that it has a part of every mode: the fractions of multiples of the golden ratio.
+/// A start vector without symmetry, so that every mode is in it: the fractional parts of multiples of the golden ratio.
 Vector start_vector(std::size_t size) {
     constexpr double golden = 0.6180339887498949;
     Vector v(size);
@@ -51,7 +51,7 @@ double largest_eigenvalue(std::size_t size,
     constexpr std::size_t most_steps = 100, settled_steps = 8;
     constexpr double settled = 1e-4, nothing = 1e-12;
     Vector q = start_vector(size), before(size), r(size), diagonal, beside, found;
-    apply(q, r);  // clears what the operator does not see
+    apply(q, r);  // removes what the operator maps to zero
     double norm = std::sqrt(dot_of(r, r));
     if (!(norm > 0)) return 0;
     for (std::size_t i = 0; i < size; ++i) q[i] = r[i] / norm;

@@ -1,4 +1,4 @@
-// The largest eigenvalue of a symmetric operator that is known by what it does to a vector.
+// The largest eigenvalue of a symmetric operator that is given by its action on a vector.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 namespace sluice {
 
 /// apply(x, y): y = A x, A symmetric and positive semi-definite, for vectors of `size`. By Lanczos' method [Golub & Van
-/// Loan, Matrix Computations, 4th ed., section 10.1], until the value has settled to 1e-4 or after 100 steps: from
-/// below, and less than 1 % too low where it was compared with all eigenvalues. The same bits for any number of
+/// Loan, Matrix Computations, 4th ed., section 10.1], until the value has settled to 1e-4 or after 100 steps. The
+/// result is too low, by less than 1 % where it was compared with all eigenvalues. The same bits for any number of
 /// threads, if `apply` has them.
 double largest_eigenvalue(std::size_t size,
                           const std::function<void(std::span<const double>, std::span<double>)>& apply);

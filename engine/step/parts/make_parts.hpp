@@ -1,4 +1,4 @@
-// The parts that a scene calls for.
+// Makes the parts that a scene calls for.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace sluice {
 
-/// In the order in which the stages of a step go through them.
+/// Returns them in the order in which each stage of a step calls them.
 template <int Dim>
 std::vector<std::unique_ptr<Part<Dim>>> make_parts(StepContext<Dim>& context);
 

@@ -8,12 +8,12 @@
 namespace sluice {
 namespace {
 
-/// Most steps between two shifts: disorder grows over several h, and particles go up to 0.1 h in a step (Mach 0.1).
+/// The most steps between two shifts. Disorder grows over several h; at Mach 0.1 particles move 0.1 h in a step.
 constexpr std::uint64_t longest_interval = 4;
 
 /// δx = −D ∇C of all particles at once overshoots if D is too large: on a square lattice with Wendland C2 and h = 1.5 d
-/// the shortest waves grow beyond D = 0.51 h² (validation/taylor_green). What a particle would be shifted beyond this
-/// is left out.
+/// the shortest waves grow beyond D = 0.51 h² (validation/taylor_green). A particle is shifted no
+/// farther than that.
 constexpr double largest_diffusivity = 0.4;  // over h²
 
 }  // namespace
@@ -25,7 +25,8 @@ ParticleShifting<Dim>::ParticleShifting(StepContext<Dim>& context)
         return &c_.neighbors.pair({SetId::fluid, SetId::boundary, Upkeep::coupling, targets}).list;
     };
     if (c_.has(Effect::fixed_wall)) at_walls_ = &c_.neighbors.pair({SetId::fluid, SetId::wall}).list;
-    if (c_.has(Effect::moving_boundary)) at_solids_ = boundary(Targets::own), at_solid_ghosts_ = boundary(Targets::ghosts);
+    if (c_.has(Effect::moving_boundary))
+        at_solids_ = boundary(Targets::own), at_solid_ghosts_ = boundary(Targets::ghosts);
     terms_.h_over_d = c_.scene.method.smoothing_length;
     terms_.strength = c_.scene.method.fluid.shifting;
 }
@@ -52,7 +53,7 @@ double ParticleShifting<Dim>::shift(std::uint64_t step) {
     return longest;
 }
 
-/// As many steps as the fastest particles may go before they would overshoot.
+/// The number of steps after which the fastest particles would overshoot.
 template <int Dim>
 std::uint64_t ParticleShifting<Dim>::interval_for(double path_over_h) const {
     const double steps = largest_diffusivity / std::max(terms_.strength * path_over_h, 1e-3);

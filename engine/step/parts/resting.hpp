@@ -1,4 +1,4 @@
-// Rows of a solid's lists that need no sums.
+// Drops the rows of a solid's lists that need no sums.
 #pragma once
 
 #include <span>
@@ -8,9 +8,10 @@
 
 namespace sluice {
 
-/// Clamped particles never move, so that stress changes only next to those that do: all others leave `all`. `moving`
-/// becomes the rows whose forces are asked for: not of those that are clamped, but for those `extended`. The stress of
-/// `rigid` particles is not asked for (clamp_extension.hpp). Both marks by index, or empty.
+/// Clamped particles never move, so that stress can change only next to particles that do: `all` keeps the rows of
+/// particles with such neighbours. `moving` becomes the rows whose forces are needed: those of particles that are not
+/// clamped, and of those marked `extended`. The stress of those marked `rigid` is not needed (clamp_extension.hpp).
+/// Both marks are by index, or empty.
 template <int Dim>
 void leave_out_resting(const ParticleSet<Dim>& solid, std::span<const std::uint8_t> rigid,
                        std::span<const std::uint8_t> extended, NeighborList& all, NeighborList& moving) {

@@ -1,4 +1,4 @@
-// What the fluid sees of a solid that went through a step at its own rate: its mean velocity, at its place half-way.
+// What the fluid sees of a solid that has taken a step at its own rate: its mean velocity, at its half-way position.
 #pragma once
 
 #include "engine/step/context.hpp"
@@ -12,7 +12,7 @@ bool is_coupled(const StepContext<Dim>& c) {
     return c.has(Effect::interface_force) || c.has(Effect::moving_boundary);
 }
 
-/// Remembers where a solid stands and how fast it is, if it meets a fluid.
+/// Stores a solid's position and velocity at the start of the step, if it meets a fluid.
 template <int Dim>
 void begin_solid_motion(StepContext<Dim>& c, const PartRange& part) {
     auto& solid = c.state.solid;
@@ -26,7 +26,8 @@ void begin_solid_motion(StepContext<Dim>& c, const PartRange& part) {
     if (c.has(Effect::moving_boundary)) copy(solid.velocity, solid.mean_acceleration);  // until the step's end
 }
 
-/// Fluid pushes a solid within its own steps, or before and after them; then only a steady load acts within.
+/// When the fluid's force acts on a solid: within its own steps, or before and after them, when only the steady part of
+/// it acts within.
 enum class FluidPush { within, before_and_after };
 
 template <int Dim>

@@ -1,4 +1,4 @@
-// Solids go through a step in steps of their own, all of them in as many.
+// Solids take steps of their own within a step, all of them the same number.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,21 @@
 
 namespace sluice {
 
-/// Solids of one model: a range of the solid's particles.
+/// The solids of one model: a range of the solid set.
 template <int Dim>
 class SolidPart : public Part<Dim> {
   public:
-    /// Before and after the solids' own steps within a step.
+    /// Called before and after the solids' own steps within a step.
     virtual void begin_step() = 0;
     virtual void end_step() = 0;
-    /// One of its own steps, number `substep`, to where positions are those of its end. Returns a bound of how far
-    /// particles move. [m]
+    /// Takes step number `substep` of its own, up to the positions at its end. Returns a bound of how far particles
+    /// move. [m]
     virtual double move(int substep) = 0;
-    /// What remains to be done once all solids have moved: forces at their new places.
+    /// Finishes that step once all solids have moved: computes the forces at the new positions.
     virtual void finish_move() {}
 };
 
-/// All solids. Forces between solids of different models are taken where both are at one and the same instant.
+/// All solids. Forces between solids of different models are computed when both are at the same instant.
 template <int Dim>
 class Solids final : public Part<Dim> {
   public:

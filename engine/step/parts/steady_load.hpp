@@ -1,4 +1,4 @@
-// What is steady in the fluid's load on a solid that goes through a step in steps of its own.
+// The steady part of the fluid's load on a solid that takes steps of its own.
 //
 // The load f^n is known once per step of the fluid. As an impulse ½Δt f^n before the solid's own steps and ½Δt f^(n+1)
 // behind them it is kick-drift-kick for what moves slowly, but a mode of angular frequency ω is struck once per Δt by
@@ -16,10 +16,10 @@
 
 namespace sluice {
 
-/// f̄ is the mean of about so many steps.
+/// f̄ is a running mean over about this many steps.
 inline constexpr double steady_load_steps = 32;
 
-/// Whether f̄ acts within the steps to come: with one of them there is no within.
+/// Whether f̄ acts within the solid's own steps: with a single one, there is nothing within.
 template <int Dim>
 bool bears_steady_load(const StepContext<Dim>& c) {
     return c.has(Effect::steady_load) && c.plan.substeps > 1;
@@ -29,7 +29,7 @@ template <int Dim>
 void follow_steady_load(StepContext<Dim>& c, const PartRange& part) {
     if (!c.has(Effect::steady_load)) return;
     auto& solid = c.state.solid;
-    // The first load is taken for steady.
+    // The first load counts as steady.
     if (c.steps == 0) solid.steady_acceleration = solid.interface_acceleration;
     parallel_for(part, [&](std::size_t i) {
         const Vec<Dim> mean = solid.steady_acceleration[i];

@@ -1,4 +1,4 @@
-// Rigid walls made of layers of particles: how they move.
+// The motion of rigid walls made of layers of particles.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 
 namespace sluice {
 
-/// Walls of a scene of which at least one moves; what walls do to fluid and solids is done by couplings.
+/// The walls of a scene in which at least one moves. How walls act on fluid and solids is up to couplings.
 template <int Dim>
 class WallPart final : public Part<Dim> {
   public:
     explicit WallPart(StepContext<Dim>& context);
 
     void start() override;
-    /// Walls go to the middle of the step, with their mean velocity over it.
+    /// Moves walls to the middle of the step, with their mean velocity over it.
     void first_half() override;
-    /// Walls go to the end of the step.
+    /// Moves walls to the end of the step.
     void second_half() override;
     void save(const StateWriter& writer) override;
     void restore(const StateReader& reader) override;
@@ -31,7 +31,7 @@ class WallPart final : public Part<Dim> {
         visit("wall_acceleration", c_.wall_acceleration);
     }
     void finish(double t);
-    /// Particles stand where their walls have moved to, and move with them.
+    /// Gives particles the positions and velocities of their walls.
     void place();
 
     StepContext<Dim>& c_;

@@ -1,4 +1,4 @@
-// How a wall of the scene moves.
+// The prescribed motion of a wall.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace sluice {
 
-/// A wall's displacement over time, by its formulas or its table. Before a table's first row and after its last the
-/// wall rests.
+/// The displacement of a wall over time, by its formulas or its table. The wall rests before the first row of a table
+/// and after the last.
 template <int Dim>
 class WallMotion {
   public:
