@@ -24,7 +24,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 UNMUTATED = {"name": "(none)"}
-MATTER = (".hpp", ".cpp", ".py", ".toml", ".csv", ".txt")  # files that the outcome of a check depends on
+MATTER = (".hpp", ".cpp", ".def", ".py", ".toml", ".csv", ".txt")  # files that the outcome of a check depends on
 # What takes longer than this hangs: unmutated, the longest case takes 30 s of two cores, test_engine some minutes. [s]
 LONGEST = {"validation": 600.0, "test": 900.0}
 STOPPED = {-signal.SIGINT, -signal.SIGKILL, -signal.SIGTERM}  # exit codes that tell nothing of the program
@@ -142,7 +142,7 @@ class Workshop:
         copy_sources(self.source)
         if not (self.build / "build.ninja").exists():  # a mutation may leave a name unused: no warning counts
             self.call(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                       "-DSLUICE_BENCH=OFF"])
+                       "-DSLUICE_BENCH=OFF", "-DSLUICE_FEW_PIECES=OFF"])
         self.make(["sluice_command"])  # without a mutation
 
     def forget(self, mutation, everything, since=0.0):
