@@ -156,9 +156,12 @@ void place_periodic_sides(const Scene& scene, State<Dim>& state) {
 template <int Dim>
 void place_wall(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
     const Wall& wall = scene.walls[number];
-    if (wall.kind == WallKind::mirror) {
-        state.ghost_planes.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
-        return;
+    switch (wall.kind) {
+        case WallKind::mirror:
+            state.ghost_planes.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
+            return;
+        case WallKind::fixed:
+            break;
     }
     const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
     for (const Point& p : packing.position) {
