@@ -23,8 +23,7 @@ Vec<Dim> to_vec(const Point& p) {
 
 MaterialConstants constants_of(const Scene& scene, std::size_t number) {
     const Material& m = scene.materials[number];
-    const ElasticLaw law =
-        m.model == SolidModel::neo_hookean ? ElasticLaw::neo_hookean : ElasticLaw::saint_venant_kirchhoff;
+    const ElasticLaw law = law_of(m.model).value_or(ElasticLaw{});  // any: others have no use for it
     return {number,
             {m.density, m.sound_speed, m.pressure_exponent},
             m.shear_modulus,

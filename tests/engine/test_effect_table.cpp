@@ -1,6 +1,8 @@
 // The table of effects and their rules: every row can be on and off, and its columns are those that there are.
 #include "engine/scene/rules/effects.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -22,6 +24,18 @@ TEST_CASE("Each of the table's rows has every entry, and a name of its own") {
         REQUIRE(names.insert(effect.name).second);
     }
     REQUIRE_FALSE(find_effect("no_such_effect"));
+}
+
+TEST_CASE("The rule of total-Lagrangian solids names every elastic law") {
+    const std::string_view rule = info_of(Effect::total_lagrangian).automatic;
+    std::size_t laws = 0;
+    for (const Word<SolidModel>& model : words_of<SolidModel>) {
+        CAPTURE(std::string(model.word));
+        CHECK((rule.find(fmt::format("\"{}\"", model.word)) != std::string_view::npos) ==
+              law_of(model.value).has_value());
+        if (law_of(model.value)) CHECK(*law_of(model.value) == all_elastic_laws.at(laws++));
+    }
+    CHECK(laws == all_elastic_laws.size());
 }
 
 TEST_CASE("Every column is needed by some effect") {

@@ -32,15 +32,11 @@ void add_fluid(const Body& body, const Material& material, SceneContent& c) {
 
 void add_solid(const Body& body, const Material& material, SceneContent& c) {
     c.solid = true;
-    switch (material.model) {
-        case SolidModel::hypoelastic:
-            c.hypoelastic = true;
-            break;
-        case SolidModel::saint_venant_kirchhoff:
-        case SolidModel::neo_hookean:
-            c.total_lagrangian = true;
-            ++c.total_lagrangian_bodies;
-            break;
+    if (law_of(material.model)) {
+        c.total_lagrangian = true;
+        ++c.total_lagrangian_bodies;
+    } else {
+        c.hypoelastic = true;
     }
     if (!is_held(body)) c.movable = true;
     add_name(c.solids, body.name);
