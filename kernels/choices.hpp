@@ -1,6 +1,8 @@
 // Choices among formulas, as a scene states them; without the formulas, which few who pass a choice on need.
 #pragma once
 
+#include <array>
+
 namespace sluice {
 
 /// W (kernels/smoothing.hpp).
@@ -12,9 +14,14 @@ enum class Viscosity { none, artificial, morris, monaghan_gingold };
 /// Which differences of density are no noise and stay (kernels/terms/density_diffusion.hpp).
 enum class DensityDiffusion { none, molteni_colagrossi, fourtakas, antuono };
 
-/// Energy density and stress of a deformation (kernels/materials/hyperelastic.hpp).
+/// Stress of a deformation (kernels/materials/hyperelastic.hpp).
 enum class ElasticLaw {
-#define SLUICE_ELASTIC_LAW(name, word) name,
+#define SLUICE_ELASTIC_LAW(law, ...) law,
+#include "kernels/elastic_laws.def"
+#undef SLUICE_ELASTIC_LAW
+};
+inline constexpr std::array all_elastic_laws{
+#define SLUICE_ELASTIC_LAW(law, ...) ElasticLaw::law,
 #include "kernels/elastic_laws.def"
 #undef SLUICE_ELASTIC_LAW
 };

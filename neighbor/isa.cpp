@@ -29,13 +29,14 @@ Isa& chosen() {
 
 std::string_view name_of(Isa isa) {
     switch (isa) {
+        case Isa::baseline:
+            return "baseline";
         case Isa::avx2:
             return "avx2";
         case Isa::avx512:
             return "avx512";
-        default:
-            return "baseline";
     }
+    return {};
 }
 
 const std::vector<Isa>& available_isas() {

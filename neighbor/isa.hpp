@@ -31,12 +31,24 @@ Isa active_isa();
 /// Throws std::invalid_argument, with the levels that there are, if the processor or the program lacks it.
 void use_isa(std::string_view name);
 
+/// One of the same for each level.
+template <class T>
+constexpr T of_isa(Isa isa, T of_baseline, T of_avx2, T of_avx512) {
+    switch (isa) {
+        case Isa::baseline:
+            break;
+        case Isa::avx2:
+            return of_avx2;
+        case Isa::avx512:
+            return of_avx512;
+    }
+    return of_baseline;
+}
+
 // SLUICE_OF_ISA(isa, function): the function of that name in the level's namespace.
 #ifdef SLUICE_ALL_ISAS
-#define SLUICE_OF_ISA(isa, ...)                            \
-    ((isa) == ::sluice::Isa::avx512 ? &avx512::__VA_ARGS__ \
-     : (isa) == ::sluice::Isa::avx2 ? &avx2::__VA_ARGS__   \
-                                    : &baseline::__VA_ARGS__)
+#define SLUICE_OF_ISA(isa, ...) \
+    ::sluice::of_isa(isa, &baseline::__VA_ARGS__, &avx2::__VA_ARGS__, &avx512::__VA_ARGS__)
 #else
 #define SLUICE_OF_ISA(isa, ...) &baseline::__VA_ARGS__
 #endif

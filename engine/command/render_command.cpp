@@ -61,14 +61,14 @@ void use_window(const std::vector<double>& w, PictureStyle& style) {
 }
 
 void make_video(const RenderArguments& arguments) {
-    if (arguments.video == "none") return;
+    const std::optional<VideoKind> kind = video_kind_of(arguments.video);
+    if (!kind) return;
     const auto ffmpeg = find_ffmpeg();
     if (!ffmpeg)
         throw OutputError(
             "no video: ffmpeg is not installed; `sudo apt install ffmpeg` installs it, --video none does without");
-    const VideoKind kind = arguments.video == "mp4" ? VideoKind::mp4 : VideoKind::webm;
     const std::filesystem::path video =
-        write_video(*ffmpeg, arguments.options.output, kind, arguments.frames_per_second);
+        write_video(*ffmpeg, arguments.options.output, *kind, arguments.frames_per_second);
     print(fmt::format("video in {}\n", video.string()));
 }
 

@@ -70,14 +70,15 @@ class Ghosts {
     /// Updates the ghosts of a column from their parents.
     template <Mirror M, class Field>
     void follow(Field& field, std::size_t owned) const {
-        static_assert(M != Mirror::none, "ghosts do not have this column");
+        static_assert(M == Mirror::same || M == Mirror::place || M == Mirror::direction,
+                      "ghosts do not have this column");
         if constexpr (M == Mirror::same)
             for_each_component(field, [&](auto& column) {
                 parallel_for(count(), [&](std::size_t k) { column[owned + k] = column[parent_[k]]; });
             });
         else if constexpr (M == Mirror::place)
             show(field, owned, [](const GhostPlane<Dim>& p, const Vec<Dim>& x) { return p.image_position(x); });
-        else
+        else if constexpr (M == Mirror::direction)
             show(field, owned, [](const GhostPlane<Dim>& p, const Vec<Dim>& v) { return p.image_direction(v); });
     }
 

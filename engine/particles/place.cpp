@@ -23,7 +23,7 @@ Vec<Dim> to_vec(const Point& p) {
 
 MaterialConstants constants_of(const Scene& scene, std::size_t number) {
     const Material& m = scene.materials[number];
-    const ElasticLaw law = elastic_law_of(m.model).value_or(ElasticLaw{});
+    const ElasticLaw law = law_of(m.model).value_or(ElasticLaw{});  // any: others have no use for it
     return {number,
             {m.density, m.sound_speed, m.pressure_exponent},
             m.shear_modulus,
@@ -155,9 +155,12 @@ void place_periodic_sides(const Scene& scene, State<Dim>& state) {
 template <int Dim>
 void place_wall(const Scene& scene, std::size_t number, const Packing& packing, State<Dim>& state) {
     const Wall& wall = scene.walls[number];
-    if (wall.kind == WallKind::mirror) {
-        state.ghost_planes.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
-        return;
+    switch (wall.kind) {
+        case WallKind::mirror:
+            state.ghost_planes.push_back({to_vec<Dim>(wall.point), to_vec<Dim>(wall.normal)});
+            return;
+        case WallKind::fixed:
+            break;
     }
     const double h = scene.method.smoothing_length * std::pow(packing.volume, 1.0 / Dim);
     for (const Point& p : packing.position) {

@@ -28,6 +28,19 @@ const Material* extreme(const Scene& scene, MaterialKind kind, Beats&& beats) {
     return found;
 }
 
+/// Whether the solid, if it meets a fluid, takes steps of its own: the effect solid_substeps before effects are chosen.
+bool has_own_rate(const Scene& scene) {
+    switch (scene.switches[Effect::solid_substeps]) {
+        case Switch::automatic:
+            return scene.method.time_stepping == TimeStepping::multi_rate;
+        case Switch::on:
+            return true;
+        case Switch::off:
+            return false;
+    }
+    return {};
+}
+
 }  // namespace
 
 LightSolid light_solid(const Scene& scene, const Material& solid) {
@@ -44,9 +57,7 @@ LightSolid light_solid(const Scene& scene) {
 }
 
 void damp_light_solid(Scene& scene) {
-    if (scene.method.time_stepping != TimeStepping::multi_rate ||
-        scene.lines.contains("method.solid.artificial_viscosity"))
-        return;
+    if (!has_own_rate(scene) || scene.lines.contains("method.solid.artificial_viscosity")) return;
     const bool hypoelastic = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
         return m.kind == MaterialKind::solid && m.model == SolidModel::hypoelastic;
     });

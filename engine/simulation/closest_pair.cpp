@@ -8,21 +8,45 @@
 
 namespace sluice {
 
+namespace {
+
+/// Whether fluid pairs with what is asked for.
+template <int Dim>
+bool has_neighbor(const StepContext<Dim>& c, Neighbor to) {
+    switch (to) {
+        case Neighbor::fluid:
+            return true;
+        case Neighbor::solid:
+            return c.has(Effect::moving_boundary);
+        case Neighbor::wall:
+            return c.has(Effect::fixed_wall);
+    }
+    return {};
+}
+
+}  // namespace
+
 template <int Dim>
 ClosestPair closest_pair(const StepContext<Dim>& c, Neighbor to, double spacings, const CountsHere& counts) {
-    if (to == Neighbor::wall && !c.has(Effect::fixed_wall)) return {};
-    if (to == Neighbor::solid && !c.has(Effect::moving_boundary)) return {};
+    if (!has_neighbor(c, to)) return {};
     const auto& fluid = c.state.fluid;
     const double of_itself = to == Neighbor::fluid ? 1 : 0;  // a particle is its own neighbour
     ScalarField crowding(fluid.owned, of_itself);
     const auto look = [&](const ParticleView<Dim>& others, const NeighborList& list) {
         crowding_of<Dim>(view_of(fluid), others, list, spacings / c.scene.method.smoothing_length, crowding);
     };
-    if (to == Neighbor::fluid) look(view_of(fluid), c.neighbors.pair({SetId::fluid, SetId::fluid}).list);
-    if (to == Neighbor::wall) look(view_of(c.state.wall), c.neighbors.pair({SetId::fluid, SetId::wall}).list);
-    if (to == Neighbor::solid)
-        look(view_of(c.state.boundary),
-             c.neighbors.pair({SetId::fluid, SetId::boundary, Upkeep::coupling, Targets::own}).list);
+    switch (to) {
+        case Neighbor::fluid:
+            look(view_of(fluid), c.neighbors.pair({SetId::fluid, SetId::fluid}).list);
+            break;
+        case Neighbor::solid:
+            look(view_of(c.state.boundary),
+                 c.neighbors.pair({SetId::fluid, SetId::boundary, Upkeep::coupling, Targets::own}).list);
+            break;
+        case Neighbor::wall:
+            look(view_of(c.state.wall), c.neighbors.pair({SetId::fluid, SetId::wall}).list);
+            break;
+    }
     if (counts)
         for (Index i = 0; i < crowding.size(); ++i)
             if (crowding[i] > of_itself && !counts(i)) crowding[i] = of_itself;

@@ -18,9 +18,13 @@ namespace {
 
 /// Qualities at which particles keep their edges; the pixel format is the one that every player knows.
 std::vector<std::string> encoder_words(VideoKind kind) {
-    if (kind == VideoKind::mp4)
-        return {"-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
-    return {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-row-mt", "1", "-pix_fmt", "yuv420p"};
+    switch (kind) {
+        case VideoKind::mp4:
+            return {"-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
+        case VideoKind::webm:
+            return {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-row-mt", "1", "-pix_fmt", "yuv420p"};
+    }
+    return {};
 }
 
 std::string last_line(const std::filesystem::path& file) {
@@ -32,6 +36,22 @@ std::string last_line(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string_view extension_of(VideoKind kind) {
+    switch (kind) {
+        case VideoKind::mp4:
+            return "mp4";
+        case VideoKind::webm:
+            return "webm";
+    }
+    return {};
+}
+
+std::optional<VideoKind> video_kind_of(std::string_view extension) {
+    for (const VideoKind kind : {VideoKind::mp4, VideoKind::webm})
+        if (extension_of(kind) == extension) return kind;
+    return std::nullopt;
+}
 
 std::optional<std::filesystem::path> find_ffmpeg() {
     const char* path = std::getenv("PATH");
@@ -45,7 +65,7 @@ std::optional<std::filesystem::path> find_ffmpeg() {
 
 std::filesystem::path write_video(const std::filesystem::path& ffmpeg, const std::filesystem::path& directory,
                                   VideoKind kind, int frames_per_second) {
-    const std::filesystem::path video = directory / (kind == VideoKind::mp4 ? "movie.mp4" : "movie.webm");
+    const std::filesystem::path video = directory / fmt::format("movie.{}", extension_of(kind));
     const std::filesystem::path log = directory / "ffmpeg.log";
     std::vector<std::string> words{ffmpeg.string(),
                                    "-y",

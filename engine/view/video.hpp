@@ -4,10 +4,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace sluice {
 
 enum class VideoKind { mp4, webm };
+
+/// Of files, without the dot.
+std::string_view extension_of(VideoKind kind);
+/// The kind of files of this extension; none without one.
+std::optional<VideoKind> video_kind_of(std::string_view extension);
 
 /// Where ffmpeg is; none if it is not installed.
 std::optional<std::filesystem::path> find_ffmpeg();

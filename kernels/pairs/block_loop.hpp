@@ -77,8 +77,14 @@ constexpr bool is_full(Precision precision) {
 /// The loop for the instruction set in use.
 template <class Pass>
 BlockLoop<Pass> block_loop(Precision precision) {
-    if constexpr (!requires { Pass::always_full; })
-        if (precision == Precision::mixed) return SLUICE_OF_ISA(active_isa(), sum_block<Pass, float>);
+    if constexpr (!requires { Pass::always_full; }) {
+        switch (precision) {
+            case Precision::full:
+                break;
+            case Precision::mixed:
+                return SLUICE_OF_ISA(active_isa(), sum_block<Pass, float>);
+        }
+    }
     return SLUICE_OF_ISA(active_isa(), sum_block<Pass, double>);
 }
 

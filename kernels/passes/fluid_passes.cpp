@@ -10,14 +10,45 @@
 namespace sluice {
 namespace {
 
-/// Of the two kinds that act along the line between particles; zero for the others.
-template <int Dim>
-CentralViscosity central_viscosity(const FluidTerms& terms) {
-    if (terms.viscosity == Viscosity::artificial)
-        return ArtificialViscosity{terms.artificial_viscosity, terms.sound_speed}.central();
-    if (terms.viscosity == Viscosity::monaghan_gingold)
-        return monaghan_gingold_viscosity<Dim>(terms.kinematic_viscosity);
-    return {};
+/// add(pass) with the pass of one fluid. A viscosity of zero is left out.
+template <int Dim, class Add>
+std::uint64_t add_momentum(const FluidTerms& terms, const Add& add) {
+    const auto add_central = [&](const CentralViscosity& viscosity) {
+        return viscosity.per_length != 0 || viscosity.constant != 0 ? add(ViscousMomentum<Dim>{{}, viscosity})
+                                                                    : add(InviscidMomentum<Dim>{});
+    };
+    switch (terms.viscosity) {
+        case Viscosity::none:
+            break;
+        case Viscosity::artificial:
+            return add_central(ArtificialViscosity{terms.artificial_viscosity, terms.sound_speed}.central());
+        case Viscosity::monaghan_gingold:
+            return add_central(monaghan_gingold_viscosity<Dim>(terms.kinematic_viscosity));
+        case Viscosity::morris:
+            if (terms.kinematic_viscosity == 0) break;
+            return add(MorrisMomentum<Dim>{{terms.kinematic_viscosity}});
+    }
+    return add(InviscidMomentum<Dim>{});
+}
+
+/// The same of several fluids; one without viscosity has it zero.
+template <int Dim, class Add>
+std::uint64_t add_multiphase_momentum(const FluidTerms& terms, const Add& add) {
+    const auto add_central = [&](double alpha, const CentralViscosity& viscosity) {
+        return add(MultiphaseMomentum<Dim>{{}, {alpha, viscosity.constant, viscosity.limit, viscosity.softening}});
+    };
+    switch (terms.viscosity) {
+        case Viscosity::none:
+            break;
+        case Viscosity::artificial:
+            return add_central(terms.artificial_viscosity,
+                               ArtificialViscosity{terms.artificial_viscosity, terms.sound_speed}.central());
+        case Viscosity::monaghan_gingold:
+            return add_central(0, monaghan_gingold_viscosity<Dim>(terms.kinematic_viscosity));
+        case Viscosity::morris:
+            return add(MultiphaseMorrisMomentum<Dim>{{terms.kinematic_viscosity}});
+    }
+    return add_central(0, {});
 }
 
 }  // namespace
@@ -28,16 +59,7 @@ std::uint64_t fluid_momentum(const ParticleView<Dim>& fluid, const NeighborList&
     const auto add = [&](const auto& momentum) {
         return add_vectors(momentum, method, fluid, fluid, list, acceleration);
     };
-    const CentralViscosity central = central_viscosity<Dim>(terms);
-    if (terms.multiphase) {
-        if (terms.viscosity == Viscosity::morris) return add(MultiphaseMorrisMomentum<Dim>{{terms.kinematic_viscosity}});
-        const double alpha = terms.viscosity == Viscosity::artificial ? terms.artificial_viscosity : 0;
-        return add(MultiphaseMomentum<Dim>{{}, {alpha, central.constant, central.limit, central.softening}});
-    }
-    if (central.per_length != 0 || central.constant != 0) return add(ViscousMomentum<Dim>{{}, central});
-    if (terms.viscosity == Viscosity::morris && terms.kinematic_viscosity != 0)
-        return add(MorrisMomentum<Dim>{{terms.kinematic_viscosity}});
-    return add(InviscidMomentum<Dim>{});
+    return terms.multiphase ? add_multiphase_momentum<Dim>(terms, add) : add_momentum<Dim>(terms, add);
 }
 
 template <int Dim>

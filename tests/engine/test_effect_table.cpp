@@ -94,6 +94,9 @@ TEST_CASE("A rule follows what was decided of the effect that it builds on") {
         CHECK_FALSE(without.has(p.effect));
         CHECK(without[p.effect].why == p.why);
     }
+    // Steps of its own are the solid's whether the method calls for them or [effects] does.
+    CHECK(effects(both, {"method.time_stepping=single-rate", "effects.solid_substeps=on", total_lagrangian})
+              .has(Effect::steady_load));
     // Hypoelastic solids meet walls only if that is asked for.
     CHECK_FALSE(effects(wall_alone, {}).has(Effect::moving_wall));
     CHECK(effects(wall_alone, {"effects.contact=on"}).has(Effect::moving_wall));

@@ -116,6 +116,13 @@ struct OffSwitch {
     std::vector<std::string> present;  ///< what it needs to act
 };
 
+/// A light solid at its own rate, which bears a steady load and has a viscosity for that.
+const std::vector<std::string> light_solid{"method.preset=modern", "materials.rubber.density=500"};
+
+/// Everything moves and shears, so that no term vanishes by itself.
+const std::string shearing = with_gravity + preamble(0.002) + water + "velocity = [\"10*y\", \"-0.2+5*x\"]\n" + block +
+                             "velocity = [\"10*y\", \"0.2-5*x\"]\n";
+
 }  // namespace
 
 TEST_CASE("An effect switched off is the same, to the bit, as one whose constant takes it out") {
@@ -136,16 +143,23 @@ TEST_CASE("An effect switched off is the same, to the bit, as one whose constant
         {"gravity", "gravity=[0.0,0.0]", {}},
         {"adaptive_step", "method.step_size=fixed", {"method.step_size=adaptive", "method.time_stepping=multi-rate"}},
         {"solid_substeps", "method.time_stepping=single-rate", {"method.time_stepping=multi-rate"}},
+        {"solid_substeps", "method.time_stepping=single-rate", light_solid},
     }));
     INFO(off.effect);
-    // Everything moves and shears, so that no term vanishes by itself.
-    const std::string text = with_gravity + preamble(0.002) + water + "velocity = [\"10*y\", \"-0.2+5*x\"]\n" + block +
-                             "velocity = [\"10*y\", \"0.2-5*x\"]\n";
     std::vector<std::string> with = off.present, without = off.present, switched = off.present;
     without.emplace_back(off.constant);
     switched.push_back(std::string("effects.") + off.effect + "=off");
-    REQUIRE(motion_of(text, switched) == motion_of(text, without));
-    REQUIRE(motion_of(text, switched) != motion_of(text, with));
+    REQUIRE(motion_of(shearing, switched) == motion_of(shearing, without));
+    REQUIRE(motion_of(shearing, switched) != motion_of(shearing, with));
+}
+
+TEST_CASE("The solid's own rate switched on is the same, to the bit, as one that the method calls for") {
+    std::vector<std::string> single = light_solid;
+    single.emplace_back("method.time_stepping=single-rate");
+    std::vector<std::string> switched = single;
+    switched.emplace_back("effects.solid_substeps=on");
+    REQUIRE(motion_of(shearing, switched) == motion_of(shearing, light_solid));
+    REQUIRE(motion_of(shearing, switched) != motion_of(shearing, single));
 }
 
 }  // namespace sluice::test_effects

@@ -103,6 +103,8 @@ TEST_CASE("The viscosity that a light solid needs is a default: the scene may st
     CHECK(viscosity({density(100)}) == 1);
     CHECK(viscosity({density(100), "method.solid.artificial_viscosity=0"}) == 0);
     CHECK(viscosity({density(100), "method.time_stepping=single-rate"}) == 0.1);
+    CHECK(viscosity({density(100), "effects.solid_substeps=off"}) == 0.1);
+    CHECK(viscosity({density(100), "method.time_stepping=single-rate", "effects.solid_substeps=on"}) == 1);
 }
 
 TEST_CASE("A light floor swings with the water's mass") {

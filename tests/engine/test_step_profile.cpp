@@ -1,13 +1,17 @@
 // What a profile makes of sections, shares and waits; which effects a loop is said to run for; which steps are traced.
 #include <algorithm>
 #include <set>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "engine/run/profile/cost.hpp"
 #include "engine/run/profile/profile.hpp"
 #include "engine/run/profile/trace_recorder.hpp"
 #include "neighbor/parallel.hpp"
+#include "neighbor/thread_count.hpp"
 #include "tests/catch.hpp"
+#include "tests/engine/effect_scenes.hpp"
 
 namespace sluice::test_step_profile {
 
@@ -101,20 +105,35 @@ TEST_CASE("traced steps are evenly spaced, and events within bounds") {
     CHECK(long_step.is_cut());
 }
 
-TEST_CASE("where effects run is named as steps name it") {
-    const std::set<std::string_view> phases(step_phase_names.begin(), step_phase_names.end());
-    for (const EffectInfo& effect : effect_table) {
-        INFO(effect.key);
-        std::string_view places = effect.places;
-        while (!places.empty()) {
-            const std::string_view place = places.substr(0, places.find(", "));
-            INFO(place);
-            CHECK(phases.count(place.substr(0, place.find('/'))) == 1);
-            places.remove_prefix(std::min(places.size(), place.size() + 2));
+TEST_CASE("the loops in which effects are said to run do run in those phases") {
+    std::vector<Scene> scenes;
+    for (const auto& c : effect_scenes::cases()) scenes.push_back(c.on.load());
+    // Shifting beside all that has a say in it.
+    scenes.push_back(effect_scenes::Case::Side{effect_scenes::water + effect_scenes::block + effect_scenes::fixed,
+                                               {"method.preset=modern"}}
+                         .load());
+    const ThreadCount one(1);
+    std::set<std::pair<std::string, std::string>> loops;
+    for (const Scene& scene : scenes) {
+        Simulation<2> simulation(scene);
+        StepProfile profile(1);
+        for (std::uint64_t n = 0; n < 2; ++n) {
+            const StepProfile::Step step(&profile, n, simulation.time());
+            simulation.step();
         }
-        for (const StepPhase p : phases_for(effect.effect)) {
+        for (const ProfileRow& row : profile_of(profile, simulation.effects()).rows)
+            if (row.kind == ProfileRow::Kind::loop) loops.emplace(row.phase, row.name);
+    }
+    for (const EffectInfo& effect : effect_table) {
+        for (const StepPlace& place : effect.places) {
+            CAPTURE(std::string(effect.key), std::string(name_of(place.phase)), std::string(place.loop));
+            CHECK(place.loop.empty() != (place.part == StepPlace::Part::loop));
+            if (!place.loop.empty())
+                CHECK(loops.contains({std::string(name_of(place.phase)), std::string(place.loop)}));
+        }
+        for (const StepPhase phase : phases_for(effect.effect)) {
             INFO("phase of a required effect");
-            CHECK(effect.places.find(step_phase_names[static_cast<std::size_t>(p)]) != std::string_view::npos);
+            CHECK(std::ranges::any_of(effect.places, [&](const StepPlace& place) { return place.phase == phase; }));
         }
     }
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double young_modulus = 12e6, poisson_ratio = 0.4;
 
-constexpr std::array laws{ElasticLaw::saint_venant_kirchhoff, ElasticLaw::neo_hookean};
+constexpr std::array laws = all_elastic_laws;
 
 Hyperelastic rubber(ElasticLaw law) { return Hyperelastic::with(law, young_modulus, poisson_ratio); }
 

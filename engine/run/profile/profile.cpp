@@ -11,18 +11,6 @@ using Entries = std::vector<StepProfile::Entry>;
 
 double seconds_of(Nanoseconds t) { return 1e-9 * static_cast<double>(t); }
 
-/// Whether "PHASE/LOOP, PHASE/*, PHASE" names this place.
-bool names_place(std::string_view places, std::string_view phase, std::string_view loop) {
-    while (!places.empty()) {
-        const std::string_view place = places.substr(0, places.find(", "));
-        const std::size_t slash = place.find('/');
-        const std::string_view in_phase = slash == std::string_view::npos ? "" : place.substr(slash + 1);
-        if (place.substr(0, slash) == phase && (in_phase == loop || in_phase == "*")) return true;
-        places.remove_prefix(std::min(places.size(), place.size() + 2));
-    }
-    return false;
-}
-
 ProfileRow row_of(const StepProfile::Entry& entry, Kind kind) {
     ProfileRow row;
     row.kind = kind;
@@ -126,7 +114,7 @@ double ProfileRow::per_core(double count) const { return busy_seconds() > 0 ? co
 std::vector<Effect> effects_at(const Effects& effects, std::string_view phase, std::string_view loop) {
     std::vector<Effect> found;
     for (const EffectChoice& choice : effects.all())
-        if (choice.on && names_place(choice.info.places, phase, loop)) found.push_back(choice.info.effect);
+        if (choice.on && choice.info.places.has(phase, loop)) found.push_back(choice.info.effect);
     return found;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/scene/effects/effect.hpp"
 #include "engine/scene/effects/needed_columns.hpp"
+#include "engine/scene/effects/step_place.hpp"
 
 namespace sluice {
 
@@ -14,10 +15,12 @@ struct EffectInfo {
     Effect effect;
     std::string_view key, name, equation;
     NeededColumns columns;
-    std::string_view automatic, formula, places;
+    std::string_view automatic, formula;
+    StepPlaces places;
 };
 
 namespace needed {
+using namespace step_places;
 inline constexpr EffectInfo effect_rows[] = {
 #define SLUICE_EFFECT(key, name, equation, columns, automatic, formula, places) \
     {Effect::key, #key, name, equation, columns, automatic, formula, places},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace sluice {
@@ -32,5 +33,8 @@ inline constexpr std::array<std::string_view, 12> step_phase_names{"neighbour se
                                                                    "walls and images",
                                                                    "update",
                                                                    "output"};
+static_assert(step_phase_names.size() == static_cast<std::size_t>(StepPhase::output) + 1);
+
+constexpr std::string_view name_of(StepPhase phase) { return step_phase_names[static_cast<std::size_t>(phase)]; }
 
 }  // namespace sluice

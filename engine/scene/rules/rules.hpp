@@ -25,11 +25,6 @@ class Grounds {
     bool has() const {
         return choice<other>().on;
     }
-    /// Whether the scene calls for another effect and [effects] does not switch it off.
-    template <Effect other>
-    bool calls_for() const {
-        return choice<other>().on && choice<other>().decision.is_called_for();
-    }
 
   private:
     template <Effect other>

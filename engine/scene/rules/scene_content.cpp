@@ -32,11 +32,12 @@ void add_fluid(const Body& body, const Material& material, SceneContent& c) {
 
 void add_solid(const Body& body, const Material& material, SceneContent& c) {
     c.solid = true;
-    if (elastic_law_of(material.model)) {
+    if (law_of(material.model)) {
         c.total_lagrangian = true;
         ++c.total_lagrangian_bodies;
-    } else
+    } else {
         c.hypoelastic = true;
+    }
     if (!is_held(body)) c.movable = true;
     add_name(c.solids, body.name);
     add_once(c.solid_materials, material.name);

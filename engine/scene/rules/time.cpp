@@ -38,7 +38,7 @@ Decision steady_load(const Grounds<Effect::steady_load>& g) {
     const Decision& substeps = g.decision<Effect::solid_substeps>();
     if (substeps.is_impossible()) return substeps;
     if (!g.content.total_lagrangian) return impossible("the solids are hypoelastic");
-    if (!g.calls_for<Effect::solid_substeps>()) return impossible("the solid has no steps of its own");
+    if (!g.has<Effect::solid_substeps>()) return impossible("the solid has no steps of its own");
     return used(fmt::format("load of {} on {}", g.content.fluids, g.content.solids));
 }
 

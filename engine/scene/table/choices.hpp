@@ -1,6 +1,8 @@
 // What a scene can choose between, each with its words.
 #pragma once
 
+#include <optional>
+
 #include "engine/scene/table/word.hpp"
 #include "kernels/choices.hpp"
 
@@ -22,28 +24,28 @@ inline constexpr std::array words_of<PressureLaw>{
 };
 
 /// How a solid's stress follows from its motion: by rates in the deformed body, as in the paper, or from its reference
-/// configuration (total Lagrangian).
+/// configuration (total Lagrangian), by one of the elastic laws.
 enum class SolidModel {
     hypoelastic,
-#define SLUICE_ELASTIC_LAW(name, word) name,
+#define SLUICE_ELASTIC_LAW(law, ...) law,
 #include "kernels/elastic_laws.def"
 #undef SLUICE_ELASTIC_LAW
 };
 template <>
 inline constexpr std::array words_of<SolidModel>{
     Word{SolidModel::hypoelastic, "hypoelastic"},
-#define SLUICE_ELASTIC_LAW(name, word) Word{SolidModel::name, word},
+#define SLUICE_ELASTIC_LAW(law, Formulas, word) Word{SolidModel::law, word},
 #include "kernels/elastic_laws.def"
 #undef SLUICE_ELASTIC_LAW
 };
-/// The law of a total-Lagrangian model; none of the hypoelastic one.
-constexpr std::optional<ElasticLaw> elastic_law_of(SolidModel model) {
+/// Of a total-Lagrangian solid; none for a hypoelastic one.
+constexpr std::optional<ElasticLaw> law_of(SolidModel model) {
     switch (model) {
         case SolidModel::hypoelastic:
             break;
-#define SLUICE_ELASTIC_LAW(name, word) \
-    case SolidModel::name:             \
-        return ElasticLaw::name;
+#define SLUICE_ELASTIC_LAW(law, ...) \
+    case SolidModel::law:            \
+        return ElasticLaw::law;
 #include "kernels/elastic_laws.def"
 #undef SLUICE_ELASTIC_LAW
     }

@@ -21,6 +21,17 @@ void set_pressure(ParticleSet<Dim>& fluid, const EquationOfState& eos, double ac
     fluid.pressure_over_rho2[i] = p / (rho * rho);
 }
 
+/// Whether velocities belong to the same time as positions where steps begin and end.
+bool is_synchronous(Integrator integrator) {
+    switch (integrator) {
+        case Integrator::staggered_euler:
+            return false;
+        case Integrator::kick_drift_kick:
+            return true;
+    }
+    return {};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -68,7 +79,7 @@ void FluidPart<Dim>::limit_step(std::vector<CourantLimit>& limits) const {
 template <int Dim>
 void FluidPart<Dim>::first_half() {
     const double dt = c_.plan.dt;
-    const bool synchronous = c_.scene.method.integrator == Integrator::kick_drift_kick;
+    const bool synchronous = is_synchronous(c_.scene.method.integrator);
     // The first kick brings v from time 0 to 1/2.
     kick(c_.steps == 0 || synchronous ? 0.5 * dt : 0.5 * (last_dt_ + dt));
     last_dt_ = dt;
@@ -97,7 +108,7 @@ void FluidPart<Dim>::forces() {
 
 template <int Dim>
 void FluidPart<Dim>::last_kick() {
-    if (c_.scene.method.integrator == Integrator::kick_drift_kick) kick(0.5 * c_.plan.dt);
+    if (is_synchronous(c_.scene.method.integrator)) kick(0.5 * c_.plan.dt);
 }
 
 template <int Dim>
