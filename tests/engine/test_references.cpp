@@ -119,7 +119,7 @@ TEST_CASE("the columns that references may name are those that probes write", "[
 }
 
 TEST_CASE("the velocity's error is measured against the stated field", "[reference]") {
-    const std::string file = std::string(SLUICE_TEST_SCENES) + "/small_vortex.toml";
+    const std::string file = SLUICE_TEST_SCENES "/small_vortex.toml";
     const auto error_against = [&](const std::string& u, const std::string& v) {
         const Scene scene = load_scene(file, {"probes.flow.velocity=[\"" + u + "\", \"" + v + "\"]"});
         const Simulation<2> simulation(scene);

@@ -22,7 +22,7 @@ using Strings = std::vector<std::string>;
 
 namespace {
 
-const std::string vortex = std::string(SLUICE_TEST_SCENES) + "/small_vortex.toml";
+const std::string vortex = SLUICE_TEST_SCENES "/small_vortex.toml";
 
 StudyOptions options_for(const Strings& vary) {
     StudyOptions options;
