@@ -47,8 +47,7 @@ constexpr T of_isa(Isa isa, T of_baseline, T of_avx2, T of_avx512) {
 
 // SLUICE_OF_ISA(isa, function): the function of that name in the level's namespace.
 #ifdef SLUICE_ALL_ISAS
-#define SLUICE_OF_ISA(isa, ...) \
-    ::sluice::of_isa(isa, &baseline::__VA_ARGS__, &avx2::__VA_ARGS__, &avx512::__VA_ARGS__)
+#define SLUICE_OF_ISA(isa, ...) ::sluice::of_isa(isa, &baseline::__VA_ARGS__, &avx2::__VA_ARGS__, &avx512::__VA_ARGS__)
 #else
 #define SLUICE_OF_ISA(isa, ...) &baseline::__VA_ARGS__
 #endif
